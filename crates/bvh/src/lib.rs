@@ -1,0 +1,2 @@
+//! Bounding volume hierarchies: build, refit, traverse. Knows boxes and triangles, nothing of shapes.
+#![warn(missing_docs)]

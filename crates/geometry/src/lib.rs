@@ -1,0 +1,13 @@
+//! First hits, all hits and inside tests for every shape; CSG; the search structure over a scene.
+//!
+//! Invariants: [`Geometry::build`] may fail, nothing after it can. A [`Hit`] is a few words; the [`Interaction`] is made
+//! once, for the winner. Deliberately absent: colours, lights' effects, cameras.
+
+mod surface;
+mod world;
+
+pub use surface::{LocalHit, Surface};
+pub use world::{
+    BuildError, Geometry, Hit, Interaction, InteriorId, InteriorInfo, LightGroupId, Material, MaterialId,
+    PlacedLight, PlacedTexture, RayClass, TextureId, TextureUse,
+};

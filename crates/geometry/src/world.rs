@@ -1,0 +1,183 @@
+//! A scene's objects, compiled: what rays are shot at.
+use std::sync::Arc;
+
+use raggio_math::{Aabb, Affine, Ray, Vec2, Vec3};
+use raggio_scene::{Interior, Light, Object, PhotonFlags, Placed, Scene, Texture};
+use smallvec::SmallVec;
+
+/// Index of a [`Material`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct MaterialId(pub u32);
+/// Index of a [`PlacedTexture`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct TextureId(pub u32);
+/// Identity of an interior, as the list of section 3.3 of the light spec compares them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct InteriorId(pub u32);
+/// Which light group.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct LightGroupId(pub u32);
+
+/// Why a ray is shot; decides which objects it sees (light spec, section 3.1).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RayClass {
+    /// From the camera, refracted or not: skips `no_image`.
+    Camera,
+    /// With a reflection in its history: skips `no_reflection`.
+    Reflected,
+    /// For radiosity: skips `no_radiosity`.
+    Radiosity,
+    /// Towards a light: skips `no_shadow`.
+    Shadow,
+    /// `trace` and inside questions: skips nothing.
+    Any,
+}
+
+/// A texture at its place in the world.
+#[derive(Clone, Debug)]
+pub struct PlacedTexture {
+    /// Shared by pointer: compile each once.
+    pub texture: Arc<Texture>,
+    /// `None` is the identity.
+    pub texture_from_world: Option<Affine>,
+}
+
+/// What hangs on a leaf of the object tree, all inheritance done.
+#[derive(Clone, Debug)]
+pub struct Material {
+    /// `None` only where cutaway textures decide.
+    pub texture: Option<TextureId>,
+    /// Used where the surface is hit from inside.
+    pub interior_texture: Option<TextureId>,
+    /// Always there: an object without one has a private default.
+    pub interior: InteriorId,
+    /// Lit from behind as well.
+    pub double_illuminate: bool,
+    /// Textures are asked at (u, v, 0).
+    pub uv_mapping: bool,
+    /// The innermost light group around it.
+    pub light_group: Option<LightGroupId>,
+    /// Do lights outside the group shine on it?
+    pub global_lights: bool,
+    /// Photon switches.
+    pub photons: PhotonFlags,
+    /// `radiosity { importance }`
+    pub radiosity_importance: Option<f32>,
+    /// Index of the top-level object it belongs to.
+    pub object: u32,
+}
+
+/// An interior with its identity.
+#[derive(Clone, Debug)]
+pub struct InteriorInfo {
+    /// What it is.
+    pub interior: Arc<Interior>,
+    /// Where its media are.
+    pub world_from_interior: Affine,
+    /// `hollow`, by the rules of section 8 of the shapes spec.
+    pub hollow: bool,
+}
+
+/// A light found in the tree.
+#[derive(Clone, Debug)]
+pub struct PlacedLight {
+    /// Already moved to the world.
+    pub light: Arc<Light>,
+    /// `None`: shines on everything that takes global lights.
+    pub group: Option<LightGroupId>,
+}
+
+/// The nearest hit: enough to make the [`Interaction`].
+#[derive(Clone, Copy, Debug)]
+pub struct Hit {
+    /// Distance along the world ray.
+    pub t: f64,
+    /// Which leaf of the compiled tree.
+    pub leaf: u32,
+    /// Was the leaf turned inside out on the way down?
+    pub inverted: bool,
+    /// The shape's own words.
+    pub local: crate::LocalHit,
+}
+
+/// A texture and how much it counts.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TextureUse {
+    /// Which.
+    pub texture: TextureId,
+    /// 1 unless several meet (blobs, meshes with three textures, cutaway).
+    pub weight: f32,
+}
+
+/// Everything about the winner's surface.
+#[derive(Clone, Debug)]
+pub struct Interaction {
+    /// The point in the world.
+    pub p: Vec3,
+    /// Raw unit normal, negated where the leaf is inverted; not turned towards the viewer.
+    pub n: Vec3,
+    /// Texture coordinates.
+    pub uv: Vec2,
+    /// Was the inner side hit (`n . d > 0`)?
+    pub from_inside: bool,
+    /// What hangs on it.
+    pub material: MaterialId,
+    /// The textures that count here, interior textures already chosen; empty shades black.
+    pub textures: SmallVec<[TextureUse; 2]>,
+}
+
+/// Why a scene's objects cannot be made ready.
+#[derive(Debug, thiserror::Error)]
+pub enum BuildError {
+    /// A kind of shape that is still to be built.
+    #[error("{0} is not supported yet")]
+    Unsupported(&'static str),
+}
+
+/// A scene's objects, ready for rays from any thread.
+pub struct Geometry {
+    /// Materials by id.
+    pub materials: Vec<Material>,
+    /// Textures by id.
+    pub textures: Vec<PlacedTexture>,
+    /// Interiors by id.
+    pub interiors: Vec<InteriorInfo>,
+    /// Lights found in the tree, global ones and those of groups, in the order of the scene.
+    pub lights: Vec<PlacedLight>,
+}
+
+#[allow(unused_variables, clippy::todo, clippy::missing_errors_doc)]
+impl Geometry {
+    /// Compiles a scene's objects.
+    pub fn build(scene: &Scene) -> Result<Geometry, BuildError> {
+        todo!()
+    }
+    /// Compiles one object on its own: for `trace`, `inside`, the object pattern, `projected_through`.
+    pub fn of_object(object: &Arc<Object>) -> Result<Geometry, BuildError> {
+        todo!()
+    }
+    /// The nearest hit with `t_min < t < t_max` (world distance; `ray.dir` is of unit length).
+    pub fn closest(&self, ray: &Ray, range: (f64, f64), class: RayClass) -> Option<Hit> {
+        todo!()
+    }
+    /// What is known about the surface at a hit.
+    pub fn interaction(&self, ray: &Ray, hit: &Hit) -> Interaction {
+        todo!()
+    }
+    /// Is the point inside any top-level object?
+    pub fn inside(&self, p: Vec3) -> bool {
+        todo!()
+    }
+    /// The interiors of all objects that contain the point, in the order of the scene (the start of a ray's list).
+    pub fn interiors_at(&self, p: Vec3) -> SmallVec<[InteriorId; 8]> {
+        todo!()
+    }
+    /// A box around everything bounded.
+    pub fn bounds(&self) -> Aabb {
+        todo!()
+    }
+    /// Media of an interior at their place: re-exported for shading's sake.
+    pub fn media(&self, id: InteriorId) -> &[Placed<raggio_scene::Media>] {
+        &self.interiors[id.0 as usize].interior.media
+    }
+}

@@ -1,0 +1,1 @@
+//! The grammar: one file a block of the language.
