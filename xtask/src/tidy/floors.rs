@@ -18,7 +18,8 @@ const fn room(name: &'static str, floor: u8, may_use: &'static [&'static str]) -
 /// Everything below the integrators; `render` and `gpu` start from a finished scene, so the readers are not among it.
 const ENGINE: &[&str] = &["math", "image", "bvh", "function", "scene", "geometry", "shading"];
 const EVERYTHING: &[&str] = &[
-    "math", "diag", "image", "bvh", "function", "scene", "sdl", "import", "geometry", "shading", "render", "gpu",
+    "math", "diag", "image", "bvh", "function", "scene", "sdl", "import", "geometry", "shading", "render",
+    "gpu",
 ];
 
 const ROOMS: &[Room] = &[
@@ -80,7 +81,9 @@ pub fn check(metadata: &Value) -> Vec<String> {
     for package in packages(metadata) {
         let user = room_name(package["name"].as_str().unwrap_or_default());
         let Some(room) = ROOMS.iter().find(|r| r.name == user) else {
-            faults.push(format!("{user}: stands on no floor; add it to xtask/src/tidy/floors.rs and ARCHITECTURE.md"));
+            faults.push(format!(
+                "{user}: stands on no floor; add it to xtask/src/tidy/floors.rs and ARCHITECTURE.md"
+            ));
             continue;
         };
         for dependency in package["dependencies"].as_array().into_iter().flatten() {

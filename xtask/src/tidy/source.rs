@@ -101,7 +101,8 @@ mod tests {
 
     #[test]
     fn sizes_headings_and_leftovers_are_seen() {
-        let text = "//! Room.\nfn a() {\n    let _s = \"} todo!()\";\n}\nimpl X {\n    fn b() { todo!() }\n}\n";
+        let text =
+            "//! Room.\nfn a() {\n    let _s = \"} todo!()\";\n}\nimpl X {\n    fn b() { todo!() }\n}\n";
         let file = SourceFile::measure("x.rs".into(), text).expect("parses");
         let sizes: Vec<_> = file.functions.iter().map(|f| (f.name.as_str(), f.first_line, f.lines)).collect();
         assert_eq!(sizes, [("a", 2, 3), ("b", 6, 1)]);
