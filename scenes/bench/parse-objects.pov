@@ -9,7 +9,7 @@ global_settings { assumed_gamma 1 }
     texture { Plain }
 }
 union {
-    #for (I, 1, 220000)
+    #for (I, 1, 120000)
         #local At = <rand(Stream), rand(Stream), rand(Stream)> - <0.5, 0.5, 0.5>;
         #if (mod(I, 3) = 0)
             object { Part scale 0.01 rotate <360*rand(Stream), 360*rand(Stream), 0> translate At }
