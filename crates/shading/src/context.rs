@@ -32,7 +32,8 @@ pub struct Context {
 
 impl Context {
     /// No surface at all.
-    pub const NONE: Context = Context { normal: None, point: Vec3::ZERO, ray_dir: Vec3::ZERO, uv: Vec2::ZERO };
+    pub const NONE: Context =
+        Context { normal: None, point: Vec3::ZERO, ray_dir: Vec3::ZERO, uv: Vec2::ZERO };
 
     /// The point that `uv_mapping` puts in place of the one in space.
     #[inline]

@@ -167,7 +167,10 @@ mod tests {
             let chosen = material(&textures, index).expect("a texture");
             textures.iter().position(|t| Arc::ptr_eq(t, chosen))
         };
-        assert_eq!((which(0), which(2), which(3), which(4), which(6)), (Some(0), Some(2), Some(2), Some(1), Some(0)));
+        assert_eq!(
+            (which(0), which(2), which(3), which(4), which(6)),
+            (Some(0), Some(2), Some(2), Some(1), Some(0))
+        );
         assert!(material(&[], 5).is_none());
     }
 }

@@ -16,9 +16,8 @@ impl Image {
         let size = pixels * map.repeat;
         let inside = |c: f64| !map.once || (0.0..=1.0).contains(&c);
         let raw = match map.map_type {
-            MapType::Planar => {
-                (inside(p.x) && inside(p.y)).then(|| Vec2::new((p.x * size.x) % size.x, (p.y * size.y) % size.y))
-            }
+            MapType::Planar => (inside(p.x) && inside(p.y))
+                .then(|| Vec2::new((p.x * size.x) % size.x, (p.y * size.y) % size.y)),
             MapType::Spherical => {
                 let d = p.length();
                 (d != 0.0).then(|| Vec2::new(longitude(p), 0.5 + (p.y / d).asin() / PI) * size)

@@ -77,9 +77,7 @@ impl Normal {
     fn bend(&self, n: Vec3, p: Vec3, context: &Context) -> Vec3 {
         match &self.kind {
             Kind::Uv(inner) => inner.bend(n, context.uv_point(), context),
-            Kind::Special { warps, special } => {
-                self.within(warps, n, |n| special.bend(n, warps.apply(p)))
-            }
+            Kind::Special { warps, special } => self.within(warps, n, |n| special.bend(n, warps.apply(p))),
             Kind::Bump { warps, image, size } => {
                 self.within(warps, n, |n| bump::bend(image, *size, n, warps.apply(p)))
             }
@@ -95,7 +93,8 @@ impl Normal {
             }),
             Kind::Average { pattern, map } => self.within(pattern.warps(), n, |n| {
                 let p = pattern.warp(p);
-                let sum: Vec3 = map.weighted().map(|(w, entry)| f64::from(w) * entry.bend(n, p, context)).sum();
+                let sum: Vec3 =
+                    map.weighted().map(|(w, entry)| f64::from(w) * entry.bend(n, p, context)).sum();
                 sum / map.total_weight()
             }),
         }

@@ -36,7 +36,11 @@ impl Slope {
         let knot = |&(at, height, slope): &(f32, f32, f32)| {
             (at, Knot { height: f64::from(height), slope: f64::from(slope) })
         };
-        Slope { step, strength: -5.0 * amount * USUAL_STEP / step, map: map.map(|m| Map::new(m.iter().map(knot))) }
+        Slope {
+            step,
+            strength: -5.0 * amount * USUAL_STEP / step,
+            map: map.map(|m| Map::new(m.iter().map(knot))),
+        }
     }
 
     /// The normal bent at a warped point.

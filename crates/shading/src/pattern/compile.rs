@@ -17,7 +17,11 @@ use crate::warp::WarpList;
 impl Compiler {
     /// Compiles a pattern and what hangs on it.
     pub(crate) fn pattern(&mut self, pattern: &scene::Pattern) -> Pattern {
-        Pattern { kind: self.kind(pattern), warps: WarpList::compile(acting_warps(pattern)), wave: Waveform::of(pattern) }
+        Pattern {
+            kind: self.kind(pattern),
+            warps: WarpList::compile(acting_warps(pattern)),
+            wave: Waveform::of(pattern),
+        }
     }
 
     fn kind(&mut self, pattern: &scene::Pattern) -> Kind {
@@ -32,7 +36,7 @@ impl Compiler {
             PatternKind::Boxed => Kind::Boxed,
             PatternKind::Bozo => Kind::Bozo { noise },
             PatternKind::Brick { size, mortar } => {
-                let gap = f64::from(*mortar) - 2.0 * EPS;
+                let gap = f64::from((f64::from(*mortar) - 2.0 * EPS) as f32);
                 Kind::Brick { size: *size, mortar: Vec3::splat(gap) / *size, gap }
             }
             PatternKind::Cells => Kind::Cells,

@@ -193,7 +193,7 @@ mod tests {
             .map(|(d, _)| {
                 let cell = base + Vec3::new(f64::from(d[0]), f64::from(d[1]), f64::from(d[2]));
                 let s = hash3(cell.x as i64, cell.y as i64, cell.z as i64);
-                metric.power(q - cell - Vec3::from(random3(s)))
+                metric.power(q - (cell + Vec3::from(random3(s))))
             })
             .collect();
         all.sort_by(f64::total_cmp);

@@ -44,44 +44,77 @@ pub struct Pattern {
 enum Kind {
     /// Always 0: what has no value of its own.
     Zero,
-    Agate { noise: u8, turbulence: Turbulence, strength: f64 },
+    Agate {
+        noise: u8,
+        turbulence: Turbulence,
+        strength: f64,
+    },
     Aoi,
     Boxed,
-    Bozo { noise: u8 },
-    Brick { size: Vec3, mortar: Vec3, gap: f64 },
+    Bozo {
+        noise: u8,
+    },
+    Brick {
+        size: Vec3,
+        mortar: Vec3,
+        gap: f64,
+    },
     Cells,
     Checker,
     Crackle(Box<crackle::Crackle>),
     Cubic,
     Cylindrical,
     Density(Arc<scene::DensityFile>),
-    Dents { noise: u8 },
+    Dents {
+        noise: u8,
+    },
     Fractal(Box<scene::FractalSettings>),
     Function(Arc<scene::Function>),
-    Gradient { direction: Vec3 },
-    Granite { noise: u8 },
+    Gradient {
+        direction: Vec3,
+    },
+    Granite {
+        noise: u8,
+    },
     Hexagon,
     Image(Box<Image>),
     Leopard,
-    Marble { noise: u8, turbulence: Turbulence },
+    Marble {
+        noise: u8,
+        turbulence: Turbulence,
+    },
     Object(Box<Inside>),
     Onion,
     Pavement(pavement::Pavement),
     Pigment(Arc<Pigment>),
     Planar,
-    Quilted { controls: Vec2 },
+    Quilted {
+        controls: Vec2,
+    },
     Radial,
     Ripples(Waves),
     Slope(Box<slope::Slope>),
     Spherical,
-    Spiral1 { arms: f64, noise: u8, turbulence: Turbulence },
-    Spiral2 { arms: f64, noise: u8, turbulence: Turbulence },
+    Spiral1 {
+        arms: f64,
+        noise: u8,
+        turbulence: Turbulence,
+    },
+    Spiral2 {
+        arms: f64,
+        noise: u8,
+        turbulence: Turbulence,
+    },
     Square,
     Tiling(tiling::Tiling),
     Triangular,
     Waves(Waves),
-    Wood { turbulence: Turbulence },
-    Wrinkles { noise: u8 },
+    Wood {
+        turbulence: Turbulence,
+    },
+    Wrinkles {
+        noise: u8,
+    },
 }
 
 /// A compiled object that is asked for insideness only.

@@ -124,9 +124,7 @@ impl Waves {
 
     /// How `waves` bend a normal.
     pub fn wave_bend(&self, p: Vec3, amount: f64) -> Vec3 {
-        self.bend(p, |l, s| {
-            amount * cycle(l * self.frequency * s.frequency + self.phase) / s.frequency
-        })
+        self.bend(p, |l, s| amount * cycle(l * self.frequency * s.frequency + self.phase) / s.frequency)
     }
 
     fn bend(&self, p: Vec3, strength: impl Fn(f64, &WaveSource) -> f64) -> Vec3 {

@@ -9,8 +9,8 @@ use raggio_math::{Affine, Vec3};
 use raggio_scene as scene;
 
 use black_hole::BlackHole;
-pub(crate) use mapping::{longitude, torus_angles};
 use mapping::{Mapping, Projection};
+pub(crate) use mapping::{longitude, torus_angles};
 use repeat::Repeat;
 
 /// Points farther out than this are pulled in, and a NaN lands here.

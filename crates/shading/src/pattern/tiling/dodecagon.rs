@@ -13,7 +13,9 @@ const INRADIUS: f64 = 1.0 + SQRT_3 / 2.0;
 pub(in crate::pattern) enum Dodecagons {
     WithTriangles,
     /// Squares of 1 or 3 classes, and hexagons.
-    WithSquares { classes: u8 },
+    WithSquares {
+        classes: u8,
+    },
 }
 
 /// The three dodecagons about a point. `middles[0]` and `middles[1]` lie in one row, in either order;
@@ -26,8 +28,7 @@ struct Surroundings {
 
 impl Surroundings {
     fn of(p: Vec2, origin: Vec2, spacing: f64) -> Self {
-        let lattice =
-            Lattice::new(Vec2::new(spacing, 0.0), Vec2::new(spacing / 2.0, spacing * SQRT_3 / 2.0));
+        let lattice = Lattice::new(Vec2::new(spacing, 0.0), Vec2::new(spacing / 2.0, spacing * SQRT_3 / 2.0));
         let c = lattice.coordinates(p - origin);
         let cell = c.floor();
         let f = c - cell;

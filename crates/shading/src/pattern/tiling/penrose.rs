@@ -98,7 +98,7 @@ fn deflate(mut p: Vec2, level: i32) -> (Half, Vec2) {
         let rise = p.x - 1.0 / PHI;
         let (next, q) = match half {
             Half::K if p.y < rise * 144_f64.to_radians().tan() => (Half::L, p),
-            Half::K => (Half::K, rot(p - Vec2::from(sin_cos(36.0)).yx(), 108.0)),
+            Half::K => (Half::K, rot(p - rot(Vec2::X, 36.0), 108.0)),
             Half::L if p.y < rise * 108_f64.to_radians().tan() => (Half::K, rot(p, -36.0)),
             Half::L => (Half::L, rot(p - Vec2::X, -144.0)),
         };

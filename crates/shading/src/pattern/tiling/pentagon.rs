@@ -69,7 +69,7 @@ impl Pentagon {
             Tile::C0 | Tile::C1 => self.step_c(tile, p),
             Tile::S if p.x < h / PHI => (Tile::A, p),
             Tile::S => (Tile::C1, Vec2::new(2.0 * h / PHI - p.x, p.y)),
-            Tile::T1 if p.x < PHI * s * cos(108.0) => (Tile::A, Vec2::new(-p.x, p.y)),
+            Tile::T1 if p.x > PHI * s * cos(108.0) => (Tile::A, Vec2::new(-p.x, p.y)),
             Tile::T1 => (Tile::C1, p + Vec2::X * s),
             Tile::T0 => (Tile::C1, rot(p, 72.0) + Vec2::X * s),
             Tile::D1 => (Tile::A, p),

@@ -64,7 +64,7 @@ impl Tile {
 }
 
 impl Periodic {
-    pub fn new(data: &TilingData) -> Self {
+    pub(super) fn new(data: &TilingData) -> Self {
         let [a, b] = data.lattice;
         let lattice = Lattice::new(a.into(), b.into());
         let mut tiles = Vec::new();
