@@ -149,7 +149,10 @@ impl Parser<'_> {
     fn skip_out_of_file(&mut self, span: Span) -> Result<u32> {
         loop {
             self.cursor.frame.pos = self.cursor.frame.end;
-            if self.cursor.frame.of_macro.is_some() || self.cursor.callers.is_empty() || !self.leave_frame()? {
+            if self.cursor.frame.of_macro.is_some()
+                || self.cursor.callers.is_empty()
+                || !self.leave_frame()?
+            {
                 return self.missing_end(span);
             }
             let frame = &self.cursor.frame;
@@ -157,7 +160,9 @@ impl Parser<'_> {
             let from = frame.file.directives.partition_point(|d| d.token < frame.pos);
             for (i, d) in frame.file.directives.iter().enumerate().skip(from) {
                 match d.word {
-                    Some(Kw::If | Kw::Ifdef | Kw::Ifndef | Kw::While | Kw::For | Kw::Switch | Kw::Macro) => depth += 1,
+                    Some(Kw::If | Kw::Ifdef | Kw::Ifndef | Kw::While | Kw::For | Kw::Switch | Kw::Macro) => {
+                        depth += 1
+                    }
                     Some(Kw::End) if depth > 0 => depth -= 1,
                     Some(Kw::End | Kw::Else | Kw::Elseif) if depth == 0 => {
                         self.cursor.frame.pos = d.token + 1;
@@ -246,7 +251,11 @@ impl Parser<'_> {
             ControlKind::For { variable, last, step, body } => {
                 self.check_cancel()?;
                 let Entry::Value(Value::Float(value)) = self.scopes.entry_mut(variable) else {
-                    return self.error("loop-variable", "the variable of #for is no number any more", control.span);
+                    return self.error(
+                        "loop-variable",
+                        "the variable of #for is no number any more",
+                        control.span,
+                    );
                 };
                 *value += step;
                 if in_range(*value, last, step) {
@@ -270,7 +279,11 @@ impl Parser<'_> {
         }
         let follows = frame.pos == frame.file.directives[next as usize].token;
         if !follows || !matches!(self.directive_word(next), Some(Kw::Case | Kw::Range)) {
-            return self.error("switch-case", "#switch must be followed by #case or #range", self.directive_span(d));
+            return self.error(
+                "switch-case",
+                "#switch must be followed by #case or #range",
+                self.directive_span(d),
+            );
         }
         let mut at = d;
         loop {
@@ -317,7 +330,8 @@ impl Parser<'_> {
                 return Ok(());
             }
             if self.cursor.callers.is_empty() || !self.leave_frame()? {
-                let fault = Diagnostic::error("unexpected-directive", "#break is in no loop, #switch or macro", span);
+                let fault =
+                    Diagnostic::error("unexpected-directive", "#break is in no loop, #switch or macro", span);
                 return Err(Box::new(fault));
             }
         }

@@ -141,8 +141,18 @@ impl Parser<'_> {
         let flow = |word| {
             matches!(
                 word,
-                Kw::If | Kw::Ifdef | Kw::Ifndef | Kw::Else | Kw::Elseif | Kw::End | Kw::While | Kw::For
-                    | Kw::Switch | Kw::Case | Kw::Range | Kw::Break
+                Kw::If
+                    | Kw::Ifdef
+                    | Kw::Ifndef
+                    | Kw::Else
+                    | Kw::Elseif
+                    | Kw::End
+                    | Kw::While
+                    | Kw::For
+                    | Kw::Switch
+                    | Kw::Case
+                    | Kw::Range
+                    | Kw::Break
             )
         };
         match self.cursor.stop {
@@ -246,7 +256,9 @@ impl Parser<'_> {
             let dims = match self.value_at(&place) {
                 Some(Value::Array(array)) => array.dims.clone(),
                 Some(_) => return self.error("not-an-array", "this is not an array", self.here()),
-                None => return self.error("uninitialized", "this array element has no value yet", self.here()),
+                None => {
+                    return self.error("uninitialized", "this array element has no value yet", self.here());
+                }
             };
             let index = self.subscripts(&dims)?;
             place.path.push(index);
@@ -263,7 +275,8 @@ impl Parser<'_> {
 
     /// The value at a place, if it has one.
     pub(super) fn value_at(&self, place: &Place) -> Option<&Value> {
-        let Entry::Value(mut value) = self.scopes.entry(place.slot) else { return None };
+        let Entry::Value(variable) = self.scopes.entry(place.slot) else { return None };
+        let mut value = variable;
         for &index in &place.path {
             let Value::Array(array) = value else { return None };
             value = array.items.get(index as usize)?.as_ref()?;

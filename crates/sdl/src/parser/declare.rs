@@ -65,7 +65,9 @@ impl Parser<'_> {
 
     /// `declare`, `include`, `version` and `default` without `#`, tolerated where a statement may begin.
     pub(super) fn bare_directive(&mut self) -> Result<bool> {
-        let Tok::Kw(word @ (Kw::Declare | Kw::Include | Kw::Version | Kw::Default | Kw::Local)) = self.peek()? else {
+        let Tok::Kw(word @ (Kw::Declare | Kw::Include | Kw::Version | Kw::Default | Kw::Local)) =
+            self.peek()?
+        else {
             return Ok(false);
         };
         let span = self.here();
@@ -152,20 +154,21 @@ impl Parser<'_> {
     }
 
     /// What a declaration writes to.
-    fn target(&mut self, symbol: Symbol, local: bool, span: Span) -> Result<Target> {
+    pub(super) fn target(&mut self, symbol: Symbol, local: bool, span: Span) -> Result<Target> {
         let visible = self.scopes.lookup(symbol);
         if let Some(slot) = visible
             && self.next_raw_is('[')
         {
             let place = self.slot_place(slot);
-            return Ok(Target::Place(self.item_place(place)?));
+            return Ok(Target::Place(self.subscripted(place)?));
         }
         if local {
             return Ok(Target::Local(symbol, self.scopes.depth()));
         }
         match visible {
             Some(slot) if matches!(self.scopes.entry(slot), Entry::Macro(_)) => {
-                let message = format!("`{}` is a macro; only #macro can replace it", self.symbols.name(symbol));
+                let message =
+                    format!("`{}` is a macro; only #macro can replace it", self.symbols.name(symbol));
                 self.error("macro-name", message, span)
             }
             Some(slot) => Ok(Target::Place(self.slot_place(slot))),
@@ -181,11 +184,6 @@ impl Parser<'_> {
         }
     }
 
-    /// The place of an array's item, which need not have a value.
-    pub(super) fn item_place(&mut self, place: Place) -> Result<Place> {
-        self.subscripted(place)
-    }
-
     /// The right side of a declaration: what follows it is not executed before the name is bound.
     fn right_side(&mut self) -> Result<Value> {
         self.peek()?;
@@ -198,11 +196,13 @@ impl Parser<'_> {
     }
 
     /// Binds or overwrites.
-    fn assign(&mut self, target: Target, value: Value, span: Span) -> Result<Place> {
+    pub(super) fn assign(&mut self, target: Target, value: Value, span: Span) -> Result<Place> {
         let place = match target {
             Target::Place(place) => place,
             Target::Global(symbol) => Place::variable(self.scopes.bind(symbol, 0)),
-            Target::Local(symbol, table) => Place::variable(self.scopes.bind(symbol, table.min(self.scopes.depth()))),
+            Target::Local(symbol, table) => {
+                Place::variable(self.scopes.bind(symbol, table.min(self.scopes.depth())))
+            }
         };
         self.store(&place, value, span)?;
         Ok(place)
@@ -221,7 +221,11 @@ impl Parser<'_> {
             return Ok(());
         }
         if matches!(self.scopes.entry(place.slot), Entry::Value(Value::Function(_))) {
-            return self.error("function-exists", "a function must be #undef-ed before it is declared anew", span);
+            return self.error(
+                "function-exists",
+                "a function must be #undef-ed before it is declared anew",
+                span,
+            );
         }
         *self.scopes.entry_mut(place.slot) = Entry::Value(value);
         Ok(())
@@ -229,7 +233,8 @@ impl Parser<'_> {
 
     /// The array at a place, unshared so that it can be changed.
     fn array_mut(&mut self, place: &Place) -> Option<&mut super::Array> {
-        let Entry::Value(mut value) = self.scopes.entry_mut(place.slot) else { return None };
+        let Entry::Value(variable) = self.scopes.entry_mut(place.slot) else { return None };
+        let mut value = variable;
         for &index in &place.path {
             let Value::Array(array) = value else { return None };
             value = Arc::make_mut(array).items.get_mut(index as usize)?.as_mut()?;
@@ -257,7 +262,7 @@ impl Parser<'_> {
     }
 
     /// Consumes a semicolon if it comes next, executing nothing on the way but the return from macros.
-    fn accept_raw_semicolon(&mut self) -> Result<bool> {
+    pub(super) fn accept_raw_semicolon(&mut self) -> Result<bool> {
         if let Some(tok) = self.cursor.ahead {
             return if tok == Tok::Punct(';') { self.next().map(|_| true) } else { Ok(false) };
         }
@@ -275,13 +280,14 @@ impl Parser<'_> {
     fn undef(&mut self) -> Result<()> {
         let (symbol, span) = self.raw_name()?;
         let Some(slot) = self.scopes.lookup(symbol) else {
-            let message = format!("`{}` is not declared, so it can't be undefined", self.symbols.name(symbol));
+            let message =
+                format!("`{}` is not declared, so it can't be undefined", self.symbols.name(symbol));
             self.warn("unknown-identifier", message, span);
             return self.accept_raw_semicolon().map(|_| ());
         };
         if self.next_raw_is('[') {
             let place = self.slot_place(slot);
-            let mut place = self.item_place(place)?;
+            let mut place = self.subscripted(place)?;
             let index = place.path.pop().unwrap_or(0);
             if let Some(array) = self.array_mut(&place) {
                 array.items[index as usize] = None;
@@ -313,7 +319,7 @@ impl Parser<'_> {
                 }
                 let mut place = self.slot_place(slot);
                 if self.next_raw_is('[') {
-                    place = self.item_place(place)?;
+                    place = self.subscripted(place)?;
                 }
                 Ok(self.value_at(&place).is_some())
             }
@@ -332,7 +338,7 @@ impl Parser<'_> {
 }
 
 /// What a declaration writes to.
-enum Target {
+pub(super) enum Target {
     /// Something that exists.
     Place(Place),
     /// A new name for all.

@@ -111,7 +111,7 @@ impl Parser<'_> {
             self.cursor.ahead = None;
             return Ok(Num::float(x));
         }
-        if self.lang() < 150 && self.depth_allows_factor() {
+        if self.lang() < 150 {
             return self.factor();
         }
         let left = self.term()?;
@@ -223,7 +223,8 @@ impl Parser<'_> {
         };
         self.next()?;
         if index >= value.len as usize {
-            let message = format!("a value of {} components has no `{}`", value.len, self.source_text(self.here()));
+            let message =
+                format!("a value of {} components has no `{}`", value.len, self.source_text(self.here()));
             return self.error("no-such-component", message, self.here());
         }
         Ok(Num::float(value.v[index]))
@@ -279,7 +280,9 @@ impl Parser<'_> {
                 match p.peek()? {
                     Tok::Punct('>') => return Ok(()),
                     Tok::End => return p.unclosed("a vector", open),
-                    _ if len == 5 => return p.error("vector-size", "a vector has at most 5 components", open),
+                    _ if len == 5 => {
+                        return p.error("vector-size", "a vector has at most 5 components", open);
+                    }
                     _ => {}
                 }
                 v[len] = p.float()?;

@@ -122,7 +122,16 @@ impl Lexer<'_> {
             b'#' => self.directive(),
             b'!' | b'<' | b'>' if self.text.get(start + 1) == Some(&b'=') => {
                 self.at += 2;
-                self.push(Lexeme::Punct(if b == b'!' { '≠' } else if b == b'<' { '≤' } else { '≥' }), start);
+                self.push(
+                    Lexeme::Punct(if b == b'!' {
+                        '≠'
+                    } else if b == b'<' {
+                        '≤'
+                    } else {
+                        '≥'
+                    }),
+                    start,
+                );
             }
             b'!'..=b'~' => {
                 self.at += 1;

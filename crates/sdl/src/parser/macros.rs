@@ -69,7 +69,9 @@ impl Parser<'_> {
             match self.raw()? {
                 Some(Lexeme::Punct(')')) => return Ok(params),
                 Some(Lexeme::Punct(',')) => {}
-                Some(Lexeme::Ident(name)) if self.lang() >= 380 && &**self.symbols.name(name) == "optional" => {
+                Some(Lexeme::Ident(name))
+                    if self.lang() >= 380 && &**self.symbols.name(name) == "optional" =>
+                {
                     optional = true;
                 }
                 Some(Lexeme::Ident(name)) if params.len() < MAX_PARAMS => {
@@ -80,7 +82,8 @@ impl Parser<'_> {
                     return self.error("too-many-parameters", message, self.here());
                 }
                 Some(Lexeme::Kw(kw)) => {
-                    let message = format!("`{}` is a word of the language and can't be a parameter", kw.word());
+                    let message =
+                        format!("`{}` is a word of the language and can't be a parameter", kw.word());
                     return self.error("reserved-word", message, self.here());
                 }
                 _ => return self.error("expected", "expected a parameter's name or `)`", self.here()),
@@ -145,10 +148,8 @@ impl Parser<'_> {
         };
         let place = self.cursor.place.clone();
         let value = self.take_value()?;
-        let operand = matches!(
-            kind,
-            Kind::Float | Kind::Vector | Kind::Color | Kind::Function | Kind::Spline
-        );
+        let operand =
+            matches!(kind, Kind::Float | Kind::Vector | Kind::Color | Kind::Function | Kind::Spline);
         let operator = match self.peek()? {
             Tok::Punct('+' | '-' | '*' | '/' | '.') => operand,
             Tok::Punct('(') => matches!(kind, Kind::Function | Kind::Spline),

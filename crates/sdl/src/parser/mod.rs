@@ -38,10 +38,10 @@ pub use array::Array;
 pub use builder::SceneBuilder;
 use cursor::{Cursor, Stop};
 pub use files::FileHandle;
-pub use num::Num;
+pub use format::six_digits;
 use raggio_diag::{Diagnostic, FileId, Sources, Span};
 use raggio_scene::Settings;
-pub use run::run;
+pub use run::{Surroundings, run};
 use scope::Scopes;
 pub use spline::Spline;
 pub use string::Charset;
@@ -81,6 +81,8 @@ pub struct Parser<'a> {
     pub scene: SceneBuilder,
     /// `global_settings { charset }`
     pub charset: Charset,
+    /// The running defaults of `#default`.
+    pub defaults: crate::grammar::Defaults,
     engine: &'a dyn Engine,
     files: &'a dyn Files,
     sources: &'a mut Sources,

@@ -77,8 +77,7 @@ impl Token {
     /// Does it end an expression for certain: `, > ) ; } ]`?
     #[inline]
     pub fn ends_expression(self) -> bool {
-        self.bits >> 28 == 4
-            && matches!(self.bits & PAYLOAD, 0x2c | 0x3e | 0x29 | 0x3b | 0x7d | 0x5d)
+        self.bits >> 28 == 4 && matches!(self.bits & PAYLOAD, 0x2c | 0x3e | 0x29 | 0x3b | 0x7d | 0x5d)
     }
 }
 
@@ -132,7 +131,9 @@ pub fn link(directives: &mut [Directive]) {
     let mut open: Vec<(usize, usize)> = Vec::new();
     for i in 0..directives.len() {
         match directives[i].word {
-            Some(Kw::If | Kw::Ifdef | Kw::Ifndef | Kw::While | Kw::For | Kw::Switch | Kw::Macro) => open.push((i, i)),
+            Some(Kw::If | Kw::Ifdef | Kw::Ifndef | Kw::While | Kw::For | Kw::Switch | Kw::Macro) => {
+                open.push((i, i))
+            }
             Some(Kw::Else | Kw::Elseif | Kw::Case | Kw::Range) => {
                 if let Some((_, last)) = open.last_mut() {
                     directives[*last].next = i as u32;
