@@ -2,9 +2,10 @@
 mod plane;
 mod sphere;
 
-use raggio_math::{Aabb, Ray, Vec2, Vec3};
+use raggio_math::{Aabb, Affine, Ray, Vec2, Vec3};
 use raggio_scene::Shape;
 
+use crate::texturing::PartUses;
 use crate::{BuildError, LocalHit, Surface};
 
 pub(crate) use plane::Plane;
@@ -83,6 +84,17 @@ pub(crate) fn build(shape: &Shape) -> Result<ShapeKind, BuildError> {
         Shape::Isosurface(_) => return Err(BuildError::Unsupported("isosurface")),
         Shape::Parametric(_) => return Err(BuildError::Unsupported("parametric")),
     })
+}
+
+/// Shapes that are kept in the world's coordinates instead of at a place; `None` for all others.
+pub(crate) fn moved(_shape: &Shape, _world_from_object: &Affine) -> Option<ShapeKind> {
+    None
+}
+
+impl ShapeKind {
+    /// The textures at a point of a surface whose parts have textures of their own: numbers of the scene's data and
+    /// their shares. Nothing where the object's own texture counts.
+    pub(crate) fn part_uses(&self, _p: Vec3, _hit: &LocalHit, _out: &mut PartUses) {}
 }
 
 /// The part of `range` that a shape may report: beyond its own least distance.
