@@ -305,12 +305,17 @@ impl Walk {
             true => self.fences(&object.bounds, outer)?,
             false => (Vec::new(), Aabb::INFINITE),
         };
-        let fence_box = clip_box.intersection(&bound_box);
         let boxes = combined_boxes(op, &own);
+        let mut surface = boxes.0.intersection(&clip_box);
+        if !surface.is_finite() {
+            // A bound that is too small still shows what lies outside it where a ray touches both; but for unbounded
+            // things it is all there is.
+            surface = surface.intersection(&bound_box);
+        }
         self.groups[at as usize] = group(op, &own, clips, bounds);
         Ok(Built {
             member: Member { node: NodeRef::group(at as usize), skip },
-            surface: boxes.0.intersection(&fence_box),
+            surface,
             inside: boxes.1.intersection(&clip_box),
             outside: if object.clips.is_empty() { boxes.2 } else { Aabb::INFINITE },
         })

@@ -71,12 +71,24 @@ impl ShapePool {
             let id = leaves.shapes.len() as u32 - 1;
             return Ok(placed_shape(leaves, Prim::World(id), id, &Affine::IDENTITY, inverted));
         }
-        let id = self.shape_id(leaves, shape)?;
+        let inverse = if inverted { shapes::inverse(shape) } else { None };
+        let turned = inverse.is_some();
+        let id = match inverse {
+            Some(inverse) => {
+                leaves.shapes.push(inverse);
+                leaves.shapes.len() as u32 - 1
+            }
+            None => self.shape_id(leaves, shape)?,
+        };
         let prim = match *world_from_object == Affine::IDENTITY {
             true => Prim::World(id),
             false => Prim::Placed { shape: id, place: self.place_id(leaves, world_from_object) },
         };
-        Ok(placed_shape(leaves, prim, id, world_from_object, inverted))
+        let mut placed = placed_shape(leaves, prim, id, world_from_object, inverted && !turned);
+        if turned {
+            placed.outside = placed.surface;
+        }
+        Ok(placed)
     }
 
     fn shape_id(&mut self, leaves: &mut Leaves, shape: &Arc<Shape>) -> Result<u32, BuildError> {
