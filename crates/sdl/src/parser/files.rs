@@ -74,7 +74,7 @@ impl Parser<'_> {
     }
 
     /// The same with the name under which it was found.
-    fn find(&mut self, name: &str, extensions: &[&str], span: Span) -> Result<(String, Vec<u8>)> {
+    pub(super) fn find(&mut self, name: &str, extensions: &[&str], span: Span) -> Result<(String, Vec<u8>)> {
         match self.files.find(&candidates(name, extensions)) {
             Some((found, bytes)) if bytes.len() < MAX_FILE => Ok((found, bytes)),
             Some(_) => self.error("file-too-large", format!("the file \"{name}\" is larger than 2 GB"), span),

@@ -19,6 +19,7 @@ mod lexer;
 mod macros;
 mod message;
 mod num;
+mod picture;
 mod random;
 mod run;
 mod scope;
