@@ -1,0 +1,187 @@
+//! The Whitted integrator with POV-Ray's rules: what a ray sees (light spec, section 3).
+mod dispersion;
+mod interiors;
+mod layers;
+mod local;
+mod reflection;
+mod refraction;
+mod surface;
+mod textures;
+
+use raggio_geometry::{InteriorId, RayClass};
+use raggio_image::Rgb;
+use raggio_math::{FAR, MIN_HIT, Ray};
+use smallvec::SmallVec;
+
+use crate::lights::AreaScratch;
+use crate::media::MediaScratch;
+use crate::sampling::Streams;
+use crate::world::World;
+
+pub use interiors::toggled;
+pub use textures::{NormalPath, for_each_plain, placed};
+
+/// The interiors around a ray, in the order in which it entered them.
+pub type Interiors = SmallVec<[InteriorId; 8]>;
+
+/// What stack the worker threads have.
+pub const STACK_SIZE: usize = 256 << 20;
+/// Rays that pass straight through count for no level, so that only the stack limits them. What is left of it when
+/// tracing stops.
+const STACK_RESERVE: usize = 16 << 20;
+
+/// A ray with its history.
+#[derive(Clone, Debug)]
+pub struct Beam {
+    /// Where it goes.
+    pub ray: Ray,
+    /// What it is inside of.
+    pub interiors: Interiors,
+    /// How much it counts for the picture.
+    pub weight: f32,
+    /// Which objects it sees.
+    pub class: RayClass,
+    /// Does a miss show as transparency?
+    pub alpha: bool,
+    /// In nanometres; `None` while it carries all light.
+    pub wavelength: Option<f64>,
+    /// Hits beyond do not count.
+    pub reach: f64,
+}
+
+/// What a ray sees.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Seen {
+    /// Light, premultiplied.
+    pub rgb: Rgb,
+    /// What is seen through.
+    pub transmit: f32,
+}
+
+impl Seen {
+    /// Opaque black.
+    pub const BLACK: Seen = Seen { rgb: Rgb::ZERO, transmit: 0.0 };
+}
+
+/// What the quality option leaves on (light spec, section 8).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Quality(u8);
+
+#[allow(missing_docs)]
+impl Quality {
+    pub fn new(level: u8) -> Self {
+        Quality(level.min(9))
+    }
+    pub fn lights(self) -> bool {
+        self.0 >= 2
+    }
+    pub fn shadows(self) -> bool {
+        self.0 >= 4
+    }
+    pub fn area_lights(self) -> bool {
+        self.0 >= 5
+    }
+    pub fn quick_color(self) -> bool {
+        self.0 <= 5
+    }
+    pub fn refraction(self) -> bool {
+        self.0 >= 6
+    }
+    pub fn reflection(self) -> bool {
+        self.0 >= 8
+    }
+    pub fn normals(self) -> bool {
+        self.0 >= 8
+    }
+    pub fn volume(self) -> bool {
+        self.0 >= 9
+    }
+}
+
+/// A thread's tracer: the world, the state of the present ray tree, and memory to work in.
+pub struct Tracer<'w> {
+    /// What rays are shot at.
+    pub world: &'w World,
+    /// What is left on.
+    pub quality: Quality,
+    /// Random numbers of the present camera sample.
+    pub streams: Streams,
+    /// Rays so far in the present row.
+    level: u16,
+    max_level: u16,
+    /// Light that arrives at the surface points in work, by light, each once for all layers.
+    arriving: Vec<Option<Rgb>>,
+    pub(crate) area_scratch: AreaScratch,
+    pub(crate) media_scratch: MediaScratch,
+    stack_base: usize,
+}
+
+impl<'w> Tracer<'w> {
+    /// A tracer for the thread that calls.
+    pub fn new(world: &'w World, quality: Quality, max_level: u16) -> Self {
+        Tracer {
+            world,
+            quality,
+            streams: Streams::default(),
+            level: 0,
+            max_level,
+            arriving: Vec::new(),
+            area_scratch: AreaScratch::default(),
+            media_scratch: MediaScratch::default(),
+            stack_base: stack_position(),
+        }
+    }
+
+    /// What a ray sees. `continued` rays go straight on through a surface and use up no level.
+    pub fn trace(&mut self, beam: &Beam, continued: bool) -> Seen {
+        let spent = self.stack_base.abs_diff(stack_position()) > STACK_SIZE - STACK_RESERVE;
+        if self.level >= self.max_level || beam.weight < self.world.rules.bailout || spent {
+            return Seen::BLACK;
+        }
+        let hit = self.world.geometry.closest(&beam.ray, (MIN_HIT, beam.reach), beam.class);
+        let step = u16::from(!continued);
+        self.level += step;
+        let mut seen = match &hit {
+            Some(hit) => self.surface(beam, hit),
+            None => self.world.sky.miss(beam),
+        };
+        self.level -= step;
+        if self.quality.volume() {
+            let depth = hit.map_or(FAR, |hit| hit.t);
+            self.atmosphere(beam, depth, hit.as_ref(), &mut seen);
+        }
+        seen
+    }
+
+    /// Rainbows, media of empty space and fog over the way to `depth`.
+    fn atmosphere(
+        &mut self,
+        beam: &Beam,
+        depth: f64,
+        hit: Option<&raggio_geometry::Hit>,
+        seen: &mut Seen,
+    ) {
+        let world = self.world;
+        if (world.sky.is_clear() && world.air.is_empty()) || !world.all_hollow(&beam.interiors) {
+            return;
+        }
+        world.sky.rainbows(&beam.ray, depth, &mut self.streams.lights, seen);
+        if !world.air.is_empty() {
+            let lights = match hit {
+                Some(hit) => {
+                    let surface = world.geometry.interaction(&beam.ray, hit);
+                    world.light_sets.of(world.material(&surface))
+                }
+                None => world.light_sets.global(),
+            };
+            self.media_along(&[&world.air], beam, depth, lights, seen);
+        }
+        world.sky.fogs(&beam.ray, depth, seen);
+    }
+}
+
+/// Where the stack stands, as a number that only serves to be compared.
+fn stack_position() -> usize {
+    let here = 0u8;
+    std::hint::black_box(std::ptr::addr_of!(here)) as usize
+}
