@@ -4,7 +4,7 @@
 //! made it.
 use std::f64::consts::TAU;
 
-use raggio_math::noise::{hash_table, random_table};
+use raggio_math::noise;
 
 /// The jitter table J of the light spec, appendix A.
 #[rustfmt::skip]
@@ -27,17 +27,11 @@ const JITTER: [f64; 256] = [
     0.03125, -0.46286, -0.457001, 0.041016, -0.445282, 0.060547, 0.050781, -0.451141, -0.484344, 0.021484, 0.027344, -0.474579, 0.007813, -0.486298, -0.496063, 0.001953,
 ];
 
-/// The hash table of lattice noise, masked to its period.
-#[inline]
-pub fn hash(i: i64) -> i64 {
-    i64::from(hash_table()[(i & 4095) as usize])
-}
-
 /// Jitter in -0.5..0.5 for a position in pixel units (light spec, section 2.4).
 pub fn jitter2d(x: f64, y: f64) -> (f64, f64) {
     let pick = |a: f64, b: f64| {
-        let inner = hash(a as i64);
-        JITTER[(hash(inner ^ (b as i64)) & 255) as usize]
+        let inner = noise::hash(a as i64) as i64;
+        JITTER[noise::hash(inner ^ (b as i64)) & 255]
     };
     (pick(1021.0 * x, 1019.0 * y), pick(1019.0 * x, 1021.0 * y))
 }
@@ -61,7 +55,7 @@ impl Stream {
     #[inline]
     pub fn next(&mut self) -> f64 {
         self.0 = (self.0 + 1) & 0x7fff;
-        random_table()[self.0 as usize]
+        noise::random(usize::from(self.0))
     }
 }
 

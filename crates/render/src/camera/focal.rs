@@ -1,10 +1,10 @@
 //! Depth of field: where on the lens samples lie, and when there are enough (light spec, section 1.3).
 use raggio_image::grey;
-use raggio_math::{Vec2, Vec3};
+use raggio_math::{Vec2, Vec3, noise::hash};
 use raggio_scene as scene;
 use raggio_shading::{Context, Noise, Pigment};
 
-use crate::sampling::{chi_square_quantile, disc, halton, hash, jitter2d};
+use crate::sampling::{chi_square_quantile, disc, halton, jitter2d};
 
 /// A lens with its samples laid out.
 pub struct Lens {

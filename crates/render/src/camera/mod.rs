@@ -63,8 +63,6 @@ pub struct Camera {
     pub mesh: Option<MeshRays>,
     /// The interiors around the eye.
     interiors_at_eye: SmallVec<[InteriorId; 8]>,
-    /// The eye itself, from which distances for radiosity and the like are measured.
-    pub location: Vec3,
 }
 
 impl Camera {
@@ -86,7 +84,6 @@ impl Camera {
             lens: blurred.map(|b| Lens::new(b, camera, noise)),
             mesh,
             interiors_at_eye: geometry.interiors_at(camera.location),
-            location: camera.location,
         })
     }
 

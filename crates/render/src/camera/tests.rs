@@ -29,7 +29,6 @@ fn shot(kind: CameraKind, x: f64, y: f64) -> Option<Ray> {
         lens: None,
         mesh: None,
         interiors_at_eye: SmallVec::new(),
-        location: camera.location,
     };
     built.ray(x, y, FRAME, None)
 }

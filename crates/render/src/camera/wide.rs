@@ -8,8 +8,7 @@ use super::{Axes, Place, RawRay};
 pub(super) fn ultra_wide_angle(axes: &Axes, place: Place, angle: f64) -> RawRay {
     let alpha = place.px * angle;
     let beta = place.py * angle * (axes.up_length / axes.right_length);
-    let dir =
-        axes.right * alpha.sin() + axes.up * beta.sin() + axes.direction * (alpha.cos() * beta.cos());
+    let dir = axes.right * alpha.sin() + axes.up * beta.sin() + axes.direction * (alpha.cos() * beta.cos());
     RawRay { origin: axes.location, dir, plane: (alpha, beta) }
 }
 

@@ -60,10 +60,3 @@ impl World {
         }
     }
 }
-
-/// The list after a straight crossing, as a new list.
-pub fn toggled(list: &Interiors, id: InteriorId) -> Interiors {
-    let mut list = list.clone();
-    toggle(&mut list, id);
-    list
-}

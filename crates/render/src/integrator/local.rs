@@ -117,14 +117,7 @@ impl Tracer<'_> {
     }
 
     /// Diffuse light and highlights of one light.
-    fn answer(
-        &mut self,
-        lit: &Lit<'_>,
-        source: &LightSource,
-        light: Rgb,
-        path: &Path,
-        back: bool,
-    ) -> Rgb {
+    fn answer(&mut self, lit: &Lit<'_>, source: &LightSource, light: Rgb, path: &Path, back: bool) -> Rgb {
         let finish = lit.finish;
         let cosine = lit.n.dot(path.dir);
         let mut sum = Rgb::ZERO;

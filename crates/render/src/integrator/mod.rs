@@ -14,21 +14,15 @@ use raggio_math::{FAR, MIN_HIT, Ray};
 use smallvec::SmallVec;
 
 use crate::lights::AreaScratch;
-use crate::media::MediaScratch;
 use crate::sampling::Streams;
 use crate::world::World;
 
-pub use interiors::toggled;
+pub use interiors::toggle;
+pub(crate) use refraction::fade;
 pub use textures::{NormalPath, for_each_plain, placed};
 
 /// The interiors around a ray, in the order in which it entered them.
 pub type Interiors = SmallVec<[InteriorId; 8]>;
-
-/// What stack the worker threads have.
-pub const STACK_SIZE: usize = 256 << 20;
-/// Rays that pass straight through count for no level, so that only the stack limits them. What is left of it when
-/// tracing stops.
-const STACK_RESERVE: usize = 16 << 20;
 
 /// A ray with its history.
 #[derive(Clone, Debug)]
@@ -112,13 +106,15 @@ pub struct Tracer<'w> {
     /// Light that arrives at the surface points in work, by light, each once for all layers.
     arriving: Vec<Option<Rgb>>,
     pub(crate) area_scratch: AreaScratch,
-    pub(crate) media_scratch: MediaScratch,
+    /// Where the stack stood at first, and how much of it may be used: rays that pass straight through count for no
+    /// level, so that nothing else limits them.
     stack_base: usize,
+    stack_allowance: usize,
 }
 
 impl<'w> Tracer<'w> {
-    /// A tracer for the thread that calls.
-    pub fn new(world: &'w World, quality: Quality, max_level: u16) -> Self {
+    /// A tracer for the thread that calls, which may use that many bytes of its stack.
+    pub fn new(world: &'w World, quality: Quality, max_level: u16, stack_allowance: usize) -> Self {
         Tracer {
             world,
             quality,
@@ -127,14 +123,14 @@ impl<'w> Tracer<'w> {
             max_level,
             arriving: Vec::new(),
             area_scratch: AreaScratch::default(),
-            media_scratch: MediaScratch::default(),
             stack_base: stack_position(),
+            stack_allowance,
         }
     }
 
     /// What a ray sees. `continued` rays go straight on through a surface and use up no level.
     pub fn trace(&mut self, beam: &Beam, continued: bool) -> Seen {
-        let spent = self.stack_base.abs_diff(stack_position()) > STACK_SIZE - STACK_RESERVE;
+        let spent = self.stack_base.abs_diff(stack_position()) > self.stack_allowance;
         if self.level >= self.max_level || beam.weight < self.world.rules.bailout || spent {
             return Seen::BLACK;
         }
@@ -154,13 +150,7 @@ impl<'w> Tracer<'w> {
     }
 
     /// Rainbows, media of empty space and fog over the way to `depth`.
-    fn atmosphere(
-        &mut self,
-        beam: &Beam,
-        depth: f64,
-        hit: Option<&raggio_geometry::Hit>,
-        seen: &mut Seen,
-    ) {
+    fn atmosphere(&mut self, beam: &Beam, depth: f64, hit: Option<&raggio_geometry::Hit>, seen: &mut Seen) {
         let world = self.world;
         if (world.sky.is_clear() && world.air.is_empty()) || !world.all_hollow(&beam.interiors) {
             return;

@@ -39,7 +39,10 @@ impl Tracer<'_> {
             let reflectivity = share_of(reflection, share);
             (reflectivity, reflectivity.max_element())
         } else {
-            (share_of(reflection, grazing(cosine, reflection.falloff)), reflection.min.max(reflection.max).max_element())
+            (
+                share_of(reflection, grazing(cosine, reflection.falloff)),
+                reflection.min.max(reflection.max).max_element(),
+            )
         };
         if reflection.metallic != 0.0 {
             reflectivity = tinted(reflectivity, reflection.metallic, cosine, rgb);
@@ -55,7 +58,8 @@ impl Tracer<'_> {
         }
         let beam = reflected(point, mirror.n, mirror.weight);
         let rgb = self.trace(&beam, false).rgb;
-        let raised = if mirror.exponent == 1.0 { rgb } else { rgb.max(Rgb::ZERO).powf(1.0 / mirror.exponent) };
+        let raised =
+            if mirror.exponent == 1.0 { rgb } else { rgb.max(Rgb::ZERO).powf(1.0 / mirror.exponent) };
         mirror.reflectivity * raised
     }
 }

@@ -39,13 +39,7 @@ impl Tracer<'_> {
     }
 
     /// All colours, each bent by its own index.
-    fn dispersed(
-        &mut self,
-        point: &SurfacePoint<'_>,
-        n: Vec3,
-        weight: f32,
-        crossing: &Crossing,
-    ) -> Behind {
+    fn dispersed(&mut self, point: &SurfacePoint<'_>, n: Vec3, weight: f32, crossing: &Crossing) -> Behind {
         let mut sum = Seen::BLACK;
         for i in 0..crossing.samples {
             let (wavelength, hue) = dispersion::sample(i, crossing.samples);
@@ -157,8 +151,12 @@ mod tests {
 
     #[test]
     fn fading_by_power_and_exponentially() {
-        let mut interior =
-            Interior { fade_distance: 2.0, fade_power: 2.0, fade_color: Rgb::new(0.0, 0.5, 1.0), ..Default::default() };
+        let mut interior = Interior {
+            fade_distance: 2.0,
+            fade_power: 2.0,
+            fade_color: Rgb::new(0.0, 0.5, 1.0),
+            ..Default::default()
+        };
         assert!((fade(&interior, 4.0) - Rgb::new(0.2, 0.6, 1.0)).length() < 1e-6);
         interior.fade_power = 1001.0;
         assert!((fade(&interior, 4.0).x - (-2f32).exp()).abs() < 1e-6);

@@ -69,11 +69,18 @@ impl Tracer<'_> {
             }
             let texture = world.texture(used.texture);
             let (path, p) = placed(texture, point.surface.p, uv);
-            for_each_plain(&texture.texture, p, used.weight, &path, &context, &mut |layers, p, share, path| {
-                let seen = self.layers(point, layers, p, path, &context);
-                rgb += seen.rgb * share;
-                transmit += seen.transmit * share;
-            });
+            for_each_plain(
+                &texture.texture,
+                p,
+                used.weight,
+                &path,
+                &context,
+                &mut |layers, p, share, path| {
+                    let seen = self.layers(point, layers, p, path, &context);
+                    rgb += seen.rgb * share;
+                    transmit += seen.transmit * share;
+                },
+            );
         }
         Seen { rgb, transmit }
     }

@@ -125,12 +125,8 @@ fn divide(
     if divisible && (level < adaptive || differs(0, 1) || differs(1, 3) || differs(3, 2) || differs(2, 0)) {
         let middle = |k: usize| ((low[k] + high[k]) / 2, (low[k] + high[k]).div_ceil(2));
         let ((u1, u2), (v1, v2)) = (middle(0), middle(1));
-        let quarters = [
-            (low, [u1, v1]),
-            ([u2, low[1]], [high[0], v1]),
-            ([low[0], v2], [u1, high[1]]),
-            ([u2, v2], high),
-        ];
+        let quarters =
+            [(low, [u1, v1]), ([u2, low[1]], [high[0], v1]), ([low[0], v2], [u1, high[1]]), ([u2, v2], high)];
         for (value, (low, high)) in values.iter_mut().zip(quarters) {
             *value = divide(corner, low, high, level + 1, adaptive);
         }

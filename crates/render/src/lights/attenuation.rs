@@ -106,11 +106,8 @@ fn spot(cosine: f64, cos_radius: f64, cos_falloff: f64, tightness: f64) -> f64 {
     if cosine <= 0.0 {
         return 0.0;
     }
-    let edge = if cos_radius > 0.0 && cosine < cos_radius {
-        smooth(cos_falloff, cos_radius, cosine)
-    } else {
-        1.0
-    };
+    let edge =
+        if cos_radius > 0.0 && cosine < cos_radius { smooth(cos_falloff, cos_radius, cosine) } else { 1.0 };
     edge * power(cosine, tightness)
 }
 
@@ -156,8 +153,7 @@ mod tests {
         let out = |degrees: f64| at(&spot, Vec3::new(10.0 * degrees.to_radians().tan(), 0.0, 0.0));
         assert_eq!(out(29.0), 1.0);
         assert_eq!(out(46.0), 0.0);
-        let (lo, hi, v) =
-            (45f64.to_radians().cos(), 30f64.to_radians().cos(), 38f64.to_radians().cos());
+        let (lo, hi, v) = (45f64.to_radians().cos(), 30f64.to_radians().cos(), 38f64.to_radians().cos());
         let w = (v - lo) / (hi - lo);
         assert!((f64::from(out(38.0)) - (3.0 - 2.0 * w) * w * w).abs() < 1e-6);
         assert_eq!(at(&spot, Vec3::new(0.0, 11.0, 0.0)), 0.0);
