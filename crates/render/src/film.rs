@@ -5,6 +5,7 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use rayon::prelude::*;
 
 use crate::api::{Film, Options, Region};
+use crate::radiosity;
 use crate::sampler::Sampler;
 use crate::world::World;
 
@@ -55,24 +56,36 @@ impl World {
     ) -> Film {
         let region = options.area();
         let tiles = tiles(&region);
-        let (done, total) = (AtomicUsize::new(0), region.area());
-        let render_tile = |tile: &Tile, stack: usize| {
+        let pool =
+            rayon::ThreadPoolBuilder::new().num_threads(options.threads).stack_size(STACK_SIZE).build();
+        let parts = match pool {
+            Ok(pool) => pool.install(|| self.parts(options, &tiles, STACK_FOR_RAYS, cancel, progress)),
+            Err(_) => self.parts(options, &tiles, STACK_OF_CALLER, cancel, progress),
+        };
+        assemble(&region, &tiles, &parts)
+    }
+
+    /// The pixels of all tiles, made by the pool of the thread that calls; nothing for those that were cut short.
+    fn parts(
+        &self,
+        options: &Options,
+        tiles: &[Tile],
+        stack: usize,
+        cancel: &AtomicBool,
+        progress: &(dyn Fn(usize, usize) + Sync),
+    ) -> Vec<Vec<Pixel>> {
+        let cache = radiosity::pretrace(self, options, tiles, stack, cancel);
+        let (done, total) = (AtomicUsize::new(0), tiles.iter().map(Tile::area).sum());
+        let render = |tile: &Tile| {
             if cancel.load(Ordering::Relaxed) {
                 return Vec::new();
             }
-            let pixels = Sampler::new(self, options, stack).tile(tile);
+            let radiosity = self.radiosity.as_ref().map(|rules| radiosity::State::new(rules, &cache, false));
+            let pixels = Sampler::new(self, options, stack, radiosity).tile(tile);
             progress(done.fetch_add(tile.area(), Ordering::Relaxed) + tile.area(), total);
             pixels
         };
-        let pool =
-            rayon::ThreadPoolBuilder::new().num_threads(options.threads).stack_size(STACK_SIZE).build();
-        let parts: Vec<Vec<Pixel>> = match pool {
-            Ok(pool) => pool.install(|| {
-                tiles.par_iter().with_max_len(1).map(|t| render_tile(t, STACK_FOR_RAYS)).collect()
-            }),
-            Err(_) => tiles.iter().map(|t| render_tile(t, STACK_OF_CALLER)).collect(),
-        };
-        assemble(&region, &tiles, &parts)
+        tiles.par_iter().with_max_len(1).map(render).collect()
     }
 }
 

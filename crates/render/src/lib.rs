@@ -11,6 +11,7 @@ mod film;
 mod integrator;
 mod lights;
 mod media;
+mod radiosity;
 mod sampler;
 mod sampling;
 mod world;

@@ -7,6 +7,7 @@ use crate::api::{AntialiasMethod, Options};
 use crate::camera::{Frame, Lens};
 use crate::film::{Pixel, Tile};
 use crate::integrator::{Beam, Quality, Tracer};
+use crate::radiosity;
 use crate::sampling::Streams;
 use crate::world::World;
 
@@ -21,13 +22,29 @@ pub struct Sampler<'w> {
 }
 
 impl<'w> Sampler<'w> {
-    /// A sampler for the thread that calls.
-    pub fn new(world: &'w World, options: &'w Options, stack: usize) -> Self {
+    /// A sampler for the thread that calls, which may use `stack` bytes of its stack for rays.
+    pub fn new(
+        world: &'w World,
+        options: &'w Options,
+        stack: usize,
+        radiosity: Option<radiosity::State<'w>>,
+    ) -> Self {
         let max_level = options.max_trace_level.unwrap_or(world.rules.max_trace_level).clamp(1, 256);
-        Sampler {
-            tracer: Tracer::new(world, Quality::new(options.quality), max_level, stack),
-            options,
-            frame: Frame { width: options.width as f64, height: options.height as f64 },
+        let mut tracer = Tracer::new(world, Quality::new(options.quality), max_level, stack);
+        tracer.radiosity = radiosity.filter(|_| tracer.quality.radiosity());
+        let frame = Frame { width: options.width as f64, height: options.height as f64 };
+        Sampler { tracer, options, frame }
+    }
+
+    /// What the sampler has learnt for radiosity.
+    pub fn into_radiosity(self) -> Option<radiosity::State<'w>> {
+        self.tracer.radiosity
+    }
+
+    /// Follows the ray through a place for the sake of the radiosity cache alone.
+    pub fn look(&mut self, x: f64, y: f64) {
+        if let Some(ray) = self.tracer.world.camera.ray(x, y, self.frame, None) {
+            self.shoot(ray, f64::INFINITY, (x, y, 0));
         }
     }
 

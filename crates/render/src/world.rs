@@ -12,6 +12,7 @@ use crate::atmosphere::Sky;
 use crate::camera::Camera;
 use crate::lights::{LightSets, LightSource};
 use crate::media::MediaList;
+use crate::radiosity;
 
 /// A scene made ready for rays.
 pub struct World {
@@ -27,6 +28,8 @@ pub struct World {
     /// Media of empty space.
     pub(crate) air: MediaList,
     pub(crate) rules: Rules,
+    /// Diffuse light between surfaces.
+    pub(crate) radiosity: Option<radiosity::Rules>,
     /// Does any interior or empty space have media?
     pub(crate) any_media: bool,
 }
@@ -90,6 +93,7 @@ impl World {
         let any_media = !air.is_empty() || interiors.iter().any(|i| !i.media.is_empty());
         Ok(World {
             light_sets: LightSets::new(&geometry),
+            radiosity: radiosity_rules(scene, &geometry),
             camera: Camera::build(&scene.camera, rules.noise, &geometry)?,
             sky: Sky::new(scene, rules.noise),
             geometry,
@@ -109,9 +113,6 @@ impl World {
             && scene.objects.iter().any(|o| any_object(o, &|o| o.photons.target.is_some()))
         {
             missing.push("photons");
-        }
-        if scene.settings.radiosity.is_some() {
-            missing.push("radiosity");
         }
         if scene.settings.subsurface.is_some() {
             missing.push("subsurface light");
@@ -188,6 +189,17 @@ fn compile_interiors(geometry: &Geometry, rules: &Rules) -> Vec<WorldInterior> {
         }
     };
     geometry.interiors.iter().map(compile).collect()
+}
+
+fn radiosity_rules(scene: &Scene, geometry: &Geometry) -> Option<radiosity::Rules> {
+    let default = scene.settings.default_radiosity_importance;
+    let uneven = default < 1.0
+        || geometry
+            .materials
+            .iter()
+            .any(|m| m.radiosity_importance.is_some_and(|importance| importance < 1.0));
+    let settings = scene.settings.radiosity.as_ref()?;
+    Some(radiosity::Rules::new(settings, scene.camera.location, default, uneven))
 }
 
 fn any_object(object: &Object, test: &impl Fn(&Object) -> bool) -> bool {

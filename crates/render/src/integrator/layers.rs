@@ -2,6 +2,7 @@
 //! section 3.2).
 use raggio_image::{Color, Rgb, grey};
 use raggio_math::{EPS, Vec3};
+use raggio_scene::Finish;
 use raggio_shading::{Context, Layer};
 use smallvec::SmallVec;
 
@@ -21,6 +22,8 @@ struct Stack {
     colored: bool,
     /// The normal of the top layer.
     n_top: Vec3,
+    /// Diffuse light from other surfaces before and behind, found once for all layers.
+    around: [Option<Rgb>; 2],
     mirrors: SmallVec<[Mirror; 2]>,
 }
 
@@ -43,10 +46,11 @@ impl Tracer<'_> {
             through: 1.0,
             colored: false,
             n_top: point.n,
+            around: [None; 2],
             mirrors: SmallVec::new(),
         };
         for (i, layer) in layers.iter().rev().enumerate() {
-            if stack.through <= self.world.rules.bailout {
+            if stack.through <= self.bailout {
                 break;
             }
             let n = match &layer.normal {
@@ -82,9 +86,19 @@ impl Tracer<'_> {
         } else {
             1.0 - (color.filter * color.rgb.max_element() + color.transmit)
         };
-        let own = color.rgb * opacity * (finish.ambient * self.world.rules.ambient_light + finish.emission);
-        let lit = self.local_light(point, finish, n, color.rgb, opacity);
-        stack.light += stack.filter * (own + lit);
+        let mut own = finish.emission;
+        if !(self.world.rules.modern && self.radiosity.is_some()) {
+            own += finish.ambient * self.world.rules.ambient_light;
+        }
+        let tint = color.rgb * opacity;
+        if self.radiosity.is_some() {
+            own += self.light_around(point, finish, n, tint, stack);
+        }
+        let lit = match &self.radiosity {
+            Some(state) if state.skips_lights() => Rgb::ZERO,
+            _ => self.local_light(point, finish, n, color.rgb, opacity),
+        };
+        stack.light += stack.filter * (tint * own + lit);
         if found.is_some() {
             stack.colored = true;
             stack.filter *= color.transmission();
@@ -96,6 +110,27 @@ impl Tracer<'_> {
             stack.mirrors.push(mirror);
         }
         stack.through = grey(stack.filter).abs().min(1.0);
+    }
+
+    /// What a layer sends back of the light of other surfaces, before it is tinted.
+    fn light_around(
+        &mut self,
+        point: &SurfacePoint<'_>,
+        finish: &Finish,
+        n: Vec3,
+        tint: Rgb,
+        stack: &mut Stack,
+    ) -> Rgb {
+        let mut sum = Rgb::ZERO;
+        let sides = [(finish.diffuse_raw, n), (finish.diffuse_back_raw, -n)];
+        for ((diffuse, n), around) in sides.into_iter().zip(&mut stack.around) {
+            let share = grey(stack.filter * tint) * diffuse;
+            if around.is_none() && share > self.bailout {
+                *around = self.irradiance(point, n, point.beam.weight * share);
+            }
+            sum += around.unwrap_or(Rgb::ZERO) * diffuse;
+        }
+        sum
     }
 
     /// A layer's colour, or its quick one.
@@ -113,7 +148,7 @@ impl Tracer<'_> {
         let mut rgb = Rgb::ZERO;
         let (mut filter, mut through) = (Rgb::ONE, 1.0);
         for layer in layers.iter().rev() {
-            if through <= self.world.rules.bailout {
+            if through <= self.bailout {
                 break;
             }
             match self.pigment(layer, p, context) {
@@ -132,7 +167,7 @@ impl Tracer<'_> {
     fn beyond(&mut self, point: &SurfacePoint<'_>, stack: Stack) -> Seen {
         let mut seen = Seen { rgb: stack.light, transmit: 0.0 };
         let mut total = false;
-        if stack.through > self.world.rules.bailout && self.quality.refraction() {
+        if stack.through > self.bailout && self.quality.refraction() {
             let weight = point.beam.weight * stack.filter.abs().max_element();
             let behind = self.refract(point, stack.n_top, weight);
             let fade = self.world.interior(point.material.interior).seen_through(point);

@@ -5,15 +5,16 @@ mod layers;
 mod local;
 mod reflection;
 mod refraction;
-mod surface;
+pub(crate) mod surface;
 mod textures;
 
-use raggio_geometry::{InteriorId, RayClass};
+use raggio_geometry::{Hit, InteriorId, RayClass};
 use raggio_image::Rgb;
 use raggio_math::{FAR, MIN_HIT, Ray};
 use smallvec::SmallVec;
 
 use crate::lights::AreaScratch;
+use crate::radiosity;
 use crate::sampling::Streams;
 use crate::world::World;
 
@@ -59,36 +60,47 @@ impl Seen {
 
 /// What the quality option leaves on (light spec, section 8).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Quality(u8);
+pub struct Quality {
+    level: u8,
+    area_lights: bool,
+    volume: bool,
+}
 
 #[allow(missing_docs)]
 impl Quality {
     pub fn new(level: u8) -> Self {
-        Quality(level.min(9))
+        Quality { level, area_lights: level >= 5, volume: level >= 9 }
+    }
+    /// Gathered light does without soft shadows, and without fog and media unless they are asked for.
+    pub fn for_gather(self, media: bool) -> Self {
+        Quality { area_lights: false, volume: self.volume && media, ..self }
     }
     pub fn lights(self) -> bool {
-        self.0 >= 2
+        self.level >= 2
     }
     pub fn shadows(self) -> bool {
-        self.0 >= 4
+        self.level >= 4
     }
     pub fn area_lights(self) -> bool {
-        self.0 >= 5
+        self.area_lights
     }
     pub fn quick_color(self) -> bool {
-        self.0 <= 5
+        self.level <= 5
     }
     pub fn refraction(self) -> bool {
-        self.0 >= 6
+        self.level >= 6
     }
     pub fn reflection(self) -> bool {
-        self.0 >= 8
+        self.level >= 8
     }
     pub fn normals(self) -> bool {
-        self.0 >= 8
+        self.level >= 8
     }
     pub fn volume(self) -> bool {
-        self.0 >= 9
+        self.volume
+    }
+    pub fn radiosity(self) -> bool {
+        self.level >= 9
     }
 }
 
@@ -101,8 +113,12 @@ pub struct Tracer<'w> {
     /// Random numbers of the present camera sample.
     pub streams: Streams,
     /// Rays so far in the present row.
-    level: u16,
-    max_level: u16,
+    pub(crate) level: u16,
+    pub(crate) max_level: u16,
+    /// Rays with less weight are not traced.
+    pub(crate) bailout: f32,
+    /// Diffuse light between surfaces, where the scene has it.
+    pub radiosity: Option<radiosity::State<'w>>,
     /// Light that arrives at the surface points in work, by light, each once for all layers.
     arriving: Vec<Option<Rgb>>,
     pub(crate) area_scratch: AreaScratch,
@@ -121,6 +137,8 @@ impl<'w> Tracer<'w> {
             streams: Streams::default(),
             level: 0,
             max_level,
+            bailout: world.rules.bailout,
+            radiosity: None,
             arriving: Vec::new(),
             area_scratch: AreaScratch::default(),
             stack_base: stack_position(),
@@ -131,27 +149,32 @@ impl<'w> Tracer<'w> {
     /// What a ray sees. `continued` rays go straight on through a surface and use up no level.
     pub fn trace(&mut self, beam: &Beam, continued: bool) -> Seen {
         let spent = self.stack_base.abs_diff(stack_position()) > self.stack_allowance;
-        if self.level >= self.max_level || beam.weight < self.world.rules.bailout || spent {
+        if self.level >= self.max_level || beam.weight < self.bailout || spent {
             return Seen::BLACK;
         }
         let hit = self.world.geometry.closest(&beam.ray, (MIN_HIT, beam.reach), beam.class);
+        self.follow(beam, hit.as_ref(), continued)
+    }
+
+    /// What a ray sees whose nearest hit is known.
+    pub fn follow(&mut self, beam: &Beam, hit: Option<&Hit>, continued: bool) -> Seen {
         let step = u16::from(!continued);
         self.level += step;
-        let mut seen = match &hit {
+        let mut seen = match hit {
             Some(hit) => self.surface(beam, hit),
             None => self.world.sky.miss(beam),
         };
         self.level -= step;
         if self.quality.volume() {
-            let depth = hit.map_or(FAR, |hit| hit.t);
-            self.atmosphere(beam, depth, hit.as_ref(), &mut seen);
+            self.atmosphere(beam, hit, &mut seen);
         }
         seen
     }
 
-    /// Rainbows, media of empty space and fog over the way to `depth`.
-    fn atmosphere(&mut self, beam: &Beam, depth: f64, hit: Option<&raggio_geometry::Hit>, seen: &mut Seen) {
+    /// Rainbows, media of empty space and fog over the way to the hit.
+    fn atmosphere(&mut self, beam: &Beam, hit: Option<&Hit>, seen: &mut Seen) {
         let world = self.world;
+        let depth = hit.map_or(FAR, |hit| hit.t);
         if (world.sky.is_clear() && world.air.is_empty()) || !world.all_hollow(&beam.interiors) {
             return;
         }

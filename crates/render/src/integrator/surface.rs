@@ -64,7 +64,7 @@ impl Tracer<'_> {
         let uv = point.material.uv_mapping.then_some(point.surface.uv);
         let (mut rgb, mut transmit) = (Rgb::ZERO, 0.0);
         for used in &point.surface.textures {
-            if used.weight < world.rules.bailout {
+            if used.weight < self.bailout {
                 continue;
             }
             let texture = world.texture(used.texture);
