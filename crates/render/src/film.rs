@@ -56,11 +56,17 @@ impl World {
     ) -> Film {
         let region = options.area();
         let tiles = tiles(&region);
-        let pool =
-            rayon::ThreadPoolBuilder::new().num_threads(options.threads).stack_size(STACK_SIZE).build();
+        let workers = rayon::ThreadPoolBuilder::new().num_threads(options.threads).stack_size(STACK_SIZE);
+        let (pool, stack) = match workers.build() {
+            Ok(pool) => (Ok(pool), STACK_FOR_RAYS),
+            Err(_) => {
+                let caller = rayon::ThreadPoolBuilder::new().num_threads(1).use_current_thread();
+                (caller.build(), STACK_OF_CALLER)
+            }
+        };
         let parts = match pool {
-            Ok(pool) => pool.install(|| self.parts(options, &tiles, STACK_FOR_RAYS, cancel, progress)),
-            Err(_) => self.parts(options, &tiles, STACK_OF_CALLER, cancel, progress),
+            Ok(pool) => pool.install(|| self.parts(options, &tiles, stack, cancel, progress)),
+            Err(_) => vec![Vec::new(); tiles.len()],
         };
         assemble(&region, &tiles, &parts)
     }

@@ -3,7 +3,7 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use raggio_image::{Color, Rgb};
-use raggio_math::{EPS, Ray, Vec2, Vec3};
+use raggio_math::{EPS, Ray, Vec3};
 use raggio_scene::{self as scene, ColorMap, PigmentKind};
 use raggio_shading::{Context, Noise, Pigment};
 
@@ -95,10 +95,7 @@ impl Colors {
     fn at(&self, index: f64) -> Color {
         match self {
             Colors::Map(map) => look_up(map, index),
-            Colors::Pigment(pigment) => {
-                let context = Context { normal: None, ray_dir: Vec3::Z, uv: Vec2::ZERO };
-                pigment.eval(Vec3::X * index, &context).unwrap_or_default()
-            }
+            Colors::Pigment(pigment) => pigment.eval(Vec3::X * index, &Context::NONE).unwrap_or_default(),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Background and sky sphere, with the rules for pictures with alpha (light spec, section 6.1).
 use raggio_image::{Color, Rgb, grey};
-use raggio_math::{Affine, Vec2, Vec3};
+use raggio_math::{Affine, Vec3};
 use raggio_scene::Scene;
 use raggio_shading::{Context, Noise, Pigment};
 
@@ -36,7 +36,7 @@ impl Dome {
     }
 
     fn pigments(&self, dir: Vec3) -> impl Iterator<Item = Color> {
-        let context = Context { normal: None, ray_dir: dir, uv: Vec2::ZERO };
+        let context = Context { ray_dir: dir, ..Context::NONE };
         self.layers.iter().map(move |(pigment, sky_from_world)| {
             pigment.eval(sky_from_world.transform_point3(dir), &context).unwrap_or_default()
         })

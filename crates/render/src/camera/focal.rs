@@ -1,6 +1,6 @@
 //! Depth of field: where on the lens samples lie, and when there are enough (light spec, section 1.3).
 use raggio_image::grey;
-use raggio_math::{Vec2, Vec3, noise::hash};
+use raggio_math::{Vec3, noise::hash};
 use raggio_scene as scene;
 use raggio_shading::{Context, Noise, Pigment};
 
@@ -198,7 +198,6 @@ fn filled(mut list: Vec<(f64, f64)>, n: usize) -> Vec<(f64, f64)> {
 
 /// Points distributed as a pigment's brightness over the square.
 fn shaped(n: usize, pigment: &Pigment) -> Vec<(f64, f64)> {
-    let context = Context { normal: None, ray_dir: Vec3::Z, uv: Vec2::ZERO };
     let mut list = Vec::with_capacity(n);
     let mut index = 0;
     let mut tries = 1000 * n;
@@ -206,7 +205,7 @@ fn shaped(n: usize, pigment: &Pigment) -> Vec<(f64, f64)> {
         index += 1;
         tries = tries.saturating_sub(1);
         let v = (halton(2, index) - 0.5, halton(3, index) - 0.5);
-        let color = pigment.eval(Vec3::new(v.0 + 0.5, v.1 + 0.5, 0.0), &context);
+        let color = pigment.eval(Vec3::new(v.0 + 0.5, v.1 + 0.5, 0.0), &Context::NONE);
         let chance = f64::from(color.map_or(0.0, |c| grey(c.rgb)));
         if tries == 0 || halton(5, index) < chance {
             list.push(v);

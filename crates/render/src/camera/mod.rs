@@ -6,7 +6,7 @@ mod round;
 mod wide;
 
 use raggio_geometry::{BuildError, Geometry, InteriorId};
-use raggio_math::{Ray, Vec2, Vec3};
+use raggio_math::{Ray, Vec3};
 use raggio_scene::{self as scene, CameraKind};
 use raggio_shading::{Context, Noise, Normal};
 use smallvec::SmallVec;
@@ -99,7 +99,7 @@ impl Camera {
         let mut dir = dir.try_normalize()?;
         if let Some(normal) = &self.normal {
             let p = Vec3::new(raw.plane.0, raw.plane.1, 0.0);
-            let context = Context { normal: Some(dir), ray_dir: dir, uv: Vec2::ZERO };
+            let context = Context { normal: Some(dir), ray_dir: dir, ..Context::NONE };
             dir = normal.perturb(dir, p, &context).try_normalize().unwrap_or(dir);
         }
         Some(Ray::new(origin, dir))

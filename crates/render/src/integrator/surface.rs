@@ -27,7 +27,12 @@ pub struct SurfacePoint<'a> {
 impl SurfacePoint<'_> {
     /// What patterns may ask for.
     pub fn context(&self) -> Context {
-        Context { normal: Some(self.n), ray_dir: self.beam.ray.dir, uv: self.surface.uv }
+        Context {
+            normal: Some(self.n),
+            point: self.surface.p,
+            ray_dir: self.beam.ray.dir,
+            uv: self.surface.uv,
+        }
     }
 }
 

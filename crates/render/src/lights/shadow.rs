@@ -91,7 +91,7 @@ impl Tracer<'_> {
     fn filter(&self, ray: &Ray, depth: f64, surface: &Interaction, list: &Interiors) -> Rgb {
         let material = self.world.material(surface);
         let n = if surface.from_inside { -surface.n } else { surface.n };
-        let context = Context { normal: Some(n), ray_dir: ray.dir, uv: surface.uv };
+        let context = Context { normal: Some(n), point: surface.p, ray_dir: ray.dir, uv: surface.uv };
         let uv = material.uv_mapping.then_some(surface.uv);
         let interior = &self.world.interior(material.interior).interior;
         let caustics = f64::from(interior.caustics) * 45.0;

@@ -5,7 +5,7 @@ mod lit;
 mod phase;
 
 use raggio_image::{Rgb, grey};
-use raggio_math::{Affine, Ray, Vec2, Vec3};
+use raggio_math::{Affine, Ray, Vec3};
 use raggio_scene::{self as scene, PigmentKind, Placed, Scattering};
 use raggio_shading::{Context, Noise, Pigment};
 use smallvec::SmallVec;
@@ -89,7 +89,7 @@ impl Medium {
 
     /// The density at a point of the world.
     fn density(&self, p: Vec3, ray_dir: Vec3) -> Rgb {
-        let context = Context { normal: None, ray_dir, uv: Vec2::ZERO };
+        let context = Context { ray_dir, ..Context::NONE };
         let at = |(pigment, density_from_world): &(Pigment, Affine)| {
             pigment.eval(density_from_world.transform_point3(p), &context).map_or(Rgb::ONE, |c| c.rgb)
         };

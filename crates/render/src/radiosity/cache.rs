@@ -82,12 +82,6 @@ impl Cache {
             }
         }
     }
-
-    /// How many samples there are.
-    #[cfg(test)]
-    pub fn len(&self) -> usize {
-        self.trees.iter().map(|t| t.samples.len()).sum()
-    }
 }
 
 impl Sample {
