@@ -22,6 +22,9 @@ pub struct MeshRays {
     uv_rows: Vec<Vec<u32>>,
 }
 
+/// A face of a mesh, and the place on it by barycentric weights (the middle where `None`).
+type Start<'a> = (&'a Placed<Mesh>, usize, Option<[f64; 3]>);
+
 /// Rows of the face index of method 3.
 const UV_ROWS: usize = 256;
 
@@ -75,7 +78,7 @@ impl MeshRays {
         Some(self.leaving(&mesh.item, face, at, &mesh.parent_from_item))
     }
 
-    fn concatenated(&self, mut index: usize) -> Option<(&Placed<Mesh>, usize, Option<[f64; 3]>)> {
+    fn concatenated(&self, mut index: usize) -> Option<Start<'_>> {
         for mesh in &self.meshes {
             if index < mesh.item.faces.len() {
                 return Some((mesh, index, None));

@@ -135,10 +135,10 @@ impl Tracer<'_> {
 
     /// A layer's colour, or its quick one.
     fn pigment(&self, layer: &Layer, p: Vec3, context: &Context) -> Option<Color> {
-        if self.quality.quick_color() {
-            if let Some(quick) = layer.pigment.quick_color() {
-                return Some(quick);
-            }
+        if self.quality.quick_color()
+            && let Some(quick) = layer.pigment.quick_color()
+        {
+            return Some(quick);
         }
         layer.pigment.eval(p, context)
     }
