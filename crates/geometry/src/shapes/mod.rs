@@ -1,0 +1,162 @@
+//! Every kind of shape, one file each; registered here once.
+mod box_;
+mod cone;
+mod disc;
+mod mesh;
+mod plane;
+mod polygon;
+mod quadric;
+mod sphere;
+mod triangle;
+
+use raggio_math::{Aabb, Affine, Ray, Vec2, Vec3};
+use raggio_scene::Shape;
+
+use crate::texturing::PartUses;
+use crate::{BuildError, LocalHit, Surface};
+
+pub(crate) use box_::Cuboid;
+pub(crate) use cone::Cone;
+pub(crate) use disc::Disc;
+pub(crate) use mesh::MeshShape;
+pub(crate) use plane::Plane;
+pub(crate) use polygon::Polygon;
+pub(crate) use quadric::Quadric;
+pub(crate) use sphere::Sphere;
+pub(crate) use triangle::Triangle;
+
+/// Makes the closed enum over all kinds and forwards every question to the kind at hand, without virtual calls.
+macro_rules! shape_kinds {
+    ($($kind:ident($type:ty),)*) => {
+        /// A shape of any kind, ready to be hit.
+        pub(crate) enum ShapeKind {
+            $($kind($type),)*
+        }
+
+        impl Surface for ShapeKind {
+            fn bounds(&self) -> Aabb {
+                match self { $(ShapeKind::$kind(s) => s.bounds(),)* }
+            }
+            fn inside_bounds(&self) -> Aabb {
+                match self { $(ShapeKind::$kind(s) => s.inside_bounds(),)* }
+            }
+            fn hits(&self, ray: &Ray, range: (f64, f64), out: &mut Vec<LocalHit>) {
+                match self { $(ShapeKind::$kind(s) => s.hits(ray, range, out),)* }
+            }
+            fn closest(&self, ray: &Ray, range: (f64, f64)) -> Option<LocalHit> {
+                match self { $(ShapeKind::$kind(s) => s.closest(ray, range),)* }
+            }
+            fn inside(&self, p: Vec3) -> bool {
+                match self { $(ShapeKind::$kind(s) => s.inside(p),)* }
+            }
+            fn is_solid(&self) -> bool {
+                match self { $(ShapeKind::$kind(s) => s.is_solid(),)* }
+            }
+            fn normal(&self, p: Vec3, hit: &LocalHit) -> Vec3 {
+                match self { $(ShapeKind::$kind(s) => s.normal(p, hit),)* }
+            }
+            fn uv(&self, p: Vec3, hit: &LocalHit) -> Option<Vec2> {
+                match self { $(ShapeKind::$kind(s) => s.uv(p, hit),)* }
+            }
+        }
+    };
+}
+
+// Kinds with more than some 200 bytes of their own belong in a `Box`, so that small ones stay small.
+shape_kinds! {
+    Box(Cuboid),
+    Cone(Box<Cone>),
+    Disc(Disc),
+    Mesh(Box<MeshShape>),
+    Plane(Plane),
+    Polygon(Box<Polygon>),
+    Quadric(Box<Quadric>),
+    Sphere(Sphere),
+    Triangle(Box<Triangle>),
+}
+
+/// Makes a shape ready. Shapes that cannot be hit at all (no radius, no area) are valid and simply never hit.
+pub(crate) fn build(shape: &Shape) -> Result<ShapeKind, BuildError> {
+    Ok(match shape {
+        Shape::Sphere { center, radius } => ShapeKind::Sphere(Sphere::new(*center, *radius)),
+        Shape::Plane { normal, distance } => ShapeKind::Plane(Plane::new(*normal, *distance)),
+        Shape::Box { min, max } => ShapeKind::Box(Cuboid::new(*min, *max)),
+        Shape::Cylinder { base, cap, radius, open } => {
+            ShapeKind::Cone(Box::new(Cone::cylinder(*base, *cap, *radius, *open)))
+        }
+        Shape::Cone { base, base_radius, cap, cap_radius, open } => {
+            ShapeKind::Cone(Box::new(Cone::new(*base, *base_radius, *cap, *cap_radius, *open)))
+        }
+        Shape::Disc { center, normal, radius, hole } => {
+            ShapeKind::Disc(Disc::new(*center, *normal, *radius, *hole))
+        }
+        Shape::Quadric(coefficients) => ShapeKind::Quadric(Box::new(Quadric::new(coefficients))),
+        Shape::Triangle { points } => triangle(points, None, &Affine::IDENTITY),
+        Shape::SmoothTriangle { points, normals } => triangle(points, Some(normals), &Affine::IDENTITY),
+        Shape::Polygon { loops } => ShapeKind::Polygon(Box::new(Polygon::new(loops))),
+        Shape::Mesh(mesh) => ShapeKind::Mesh(Box::new(MeshShape::new(mesh))),
+        Shape::Torus { .. } => return Err(BuildError::Unsupported("torus")),
+        Shape::Poly { .. } => return Err(BuildError::Unsupported("poly")),
+        Shape::Superellipsoid { .. } => return Err(BuildError::Unsupported("superellipsoid")),
+        Shape::Ovus { .. } => return Err(BuildError::Unsupported("ovus")),
+        Shape::BicubicPatch { .. } => return Err(BuildError::Unsupported("bicubic_patch")),
+        Shape::HeightField(_) => return Err(BuildError::Unsupported("height_field")),
+        Shape::Blob(_) => return Err(BuildError::Unsupported("blob")),
+        Shape::Julia(_) => return Err(BuildError::Unsupported("julia_fractal")),
+        Shape::Lathe { .. } => return Err(BuildError::Unsupported("lathe")),
+        Shape::Sor { .. } => return Err(BuildError::Unsupported("sor")),
+        Shape::Prism(_) => return Err(BuildError::Unsupported("prism")),
+        Shape::SphereSweep { .. } => return Err(BuildError::Unsupported("sphere_sweep")),
+        Shape::Text { .. } => return Err(BuildError::Unsupported("text")),
+        Shape::Isosurface(_) => return Err(BuildError::Unsupported("isosurface")),
+        Shape::Parametric(_) => return Err(BuildError::Unsupported("parametric")),
+    })
+}
+
+fn triangle(points: &[Vec3; 3], normals: Option<&[Vec3; 3]>, place: &Affine) -> ShapeKind {
+    ShapeKind::Triangle(Box::new(Triangle::new(*points, normals.copied(), place)))
+}
+
+/// Shapes that are kept in the world's coordinates instead of at a place; `None` for all others.
+pub(crate) fn moved(shape: &Shape, world_from_object: &Affine) -> Option<ShapeKind> {
+    match shape {
+        Shape::Triangle { points } => Some(triangle(points, None, world_from_object)),
+        Shape::SmoothTriangle { points, normals } => Some(triangle(points, Some(normals), world_from_object)),
+        _ => None,
+    }
+}
+
+/// Shapes that `inverse` changes in themselves; `None` for all others, whose inside and normal are turned by whoever
+/// asks.
+pub(crate) fn inverse(shape: &Shape) -> Option<ShapeKind> {
+    match shape {
+        Shape::Quadric(coefficients) => {
+            Some(ShapeKind::Quadric(Box::new(Quadric::new(coefficients).inverse())))
+        }
+        _ => None,
+    }
+}
+
+impl ShapeKind {
+    /// The textures at a point of a surface whose parts have textures of their own: numbers of the scene's data and
+    /// their shares. Nothing where the object's own texture counts.
+    pub(crate) fn part_uses(&self, _p: Vec3, hit: &LocalHit, out: &mut PartUses) {
+        if let ShapeKind::Mesh(mesh) = self {
+            mesh.part_uses(hit, out);
+        }
+    }
+}
+
+/// The part of `range` that a shape may report: beyond its own least distance.
+#[inline]
+pub(crate) fn beyond(range: (f64, f64), least: f64) -> (f64, f64) {
+    (range.0.max(least), range.1)
+}
+
+/// The turn about y of a point, as a share of a full turn in 0..1; 0 on the axis (shapes spec, section 1.5).
+pub(crate) fn turn(x: f64, z: f64) -> f64 {
+    if x * x + z * z <= raggio_math::EPS {
+        return 0.0;
+    }
+    (z.atan2(x) / std::f64::consts::TAU).rem_euclid(1.0)
+}
