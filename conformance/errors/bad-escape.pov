@@ -1,0 +1,2 @@
+// error[bad-escape] 2:11
+#debug "a \q b"

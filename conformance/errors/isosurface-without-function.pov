@@ -1,0 +1,2 @@
+// error[expected] 2:14 function
+isosurface { }
