@@ -2,8 +2,9 @@
 
 use super::Settings;
 use super::scene::Scene;
-use crate::picture::{self, Picture};
+use crate::picture;
 use crate::process;
+use raggio_image::Bitmap;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::Duration;
@@ -29,50 +30,49 @@ pub enum Status {
 pub struct Verdict {
     /// What became of it.
     pub status: Status,
-    /// Where the three pictures are, as far as they exist: expected, difference, actual.
-    pub pictures: [Option<PathBuf>; 3],
+    /// The picture to look at: expected, difference and actual side by side, or the expected one alone.
+    pub panel: Option<PathBuf>,
 }
 
 /// Renders with both programs and compares.
 pub fn judge(scene: &Scene, settings: &Settings) -> Result<Verdict, String> {
-    let skipped = |why: String| Verdict { status: Status::Skipped(why), pictures: [None, None, None] };
     if scene.needs_ini {
-        return Ok(skipped("rendered by its .ini only".into()));
+        return Ok(Verdict { status: Status::Skipped("rendered by its .ini only".into()), panel: None });
     }
     let (expected_path, peer_seconds) = match reference(scene, settings)? {
         Ok(found) => found,
-        Err(why) => return Ok(skipped(why)),
+        Err(why) => return Ok(Verdict { status: Status::Skipped(why), panel: None }),
     };
     let actual_path = settings.out.join("actual").join(format!("{}.png", scene.key));
-    let difference_path = settings.out.join("difference").join(format!("{}.png", scene.key));
     let limit = Duration::from_secs_f64((10.0 * peer_seconds).max(60.0));
-    let failure = render(scene, settings, &actual_path, limit)?;
-    let mut pictures = [Some(expected_path.clone()), None, None];
-    if let Some(status) = failure {
-        return Ok(Verdict { status, pictures });
+    if let Some(status) = render(scene, settings, &actual_path, limit)? {
+        return Ok(Verdict { status, panel: Some(expected_path) });
     }
-    let expected = picture::read_png(&expected_path)?;
-    let status = match picture::read_png(&actual_path) {
-        Err(message) => Status::Panic(format!("no picture: {message}")),
-        Ok(actual) => {
-            pictures[2] = Some(actual_path);
-            compare(&expected, &actual, scene.limit, &difference_path)?
-        }
-    };
-    pictures[1] = Some(difference_path).filter(|p| p.exists());
-    Ok(Verdict { status, pictures })
+    let expected = picture::read(&expected_path)?;
+    match picture::read(&actual_path) {
+        Err(message) => Ok(Verdict {
+            status: Status::Panic(format!("no picture: {message}")),
+            panel: Some(expected_path),
+        }),
+        Ok(actual) => compare(scene, settings, &expected, &actual),
+    }
 }
 
-fn compare(expected: &Picture, actual: &Picture, limit: f32, map: &Path) -> Result<Status, String> {
-    let Some(difference) = picture::compare(expected, actual) else {
-        return Ok(Status::Panic(format!("the picture is {} x {}", actual.width, actual.height)));
+fn compare(
+    scene: &Scene,
+    settings: &Settings,
+    expected: &Bitmap,
+    actual: &Bitmap,
+) -> Result<Verdict, String> {
+    let comparison = match raggio_image::compare(expected, actual) {
+        Ok(comparison) => comparison,
+        Err(mismatch) => return Ok(Verdict { status: Status::Panic(mismatch.to_string()), panel: None }),
     };
-    picture::write_png(map, &difference.map)?;
-    Ok(if difference.mean <= limit {
-        Status::Match(difference.mean)
-    } else {
-        Status::Differs(difference.mean)
-    })
+    let panel = settings.out.join("panel").join(format!("{}.png", scene.key));
+    picture::write(&panel, &comparison.panel)?;
+    let error = comparison.mean_flip;
+    let status = if error <= scene.limit { Status::Match(error) } else { Status::Differs(error) };
+    Ok(Verdict { status, panel: Some(panel) })
 }
 
 /// Our own picture; `Some` if there is none.

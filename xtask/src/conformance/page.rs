@@ -6,7 +6,7 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
 const HEAD: &str = "<!doctype html><meta charset=utf-8><title>Conformance</title><style>\
-body{font:14px sans-serif;margin:2em;background:#222;color:#ddd}img{image-rendering:pixelated;width:320px;margin:2px}\
+body{font:14px sans-serif;margin:2em;background:#222;color:#ddd}img{image-rendering:pixelated;height:240px}\
 h2{margin:1em 0 .2em;font-size:15px}.match{color:#7c7}.bad{color:#e77}.skip{color:#888}</style>\
 <h1>expected | difference | actual</h1>\n";
 
@@ -19,7 +19,7 @@ pub fn write(scenes: &[Scene], verdicts: &[Verdict], out: &Path) -> Result<PathB
         let (class, text) = describe(&verdicts[i].status);
         // Writing to a string cannot fail.
         let _ = writeln!(html, "<h2 class={class}>{} {}</h2>", escape(&scenes[i].key), escape(&text));
-        for path in verdicts[i].pictures.iter().flatten() {
+        if let Some(path) = &verdicts[i].panel {
             let _ = write!(html, "<img src=\"file://{}\">", escape(&path.to_string_lossy()));
         }
     }

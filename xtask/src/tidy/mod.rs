@@ -62,7 +62,10 @@ fn judge(file: &SourceFile, allow: &AllowList, used: &mut [bool]) -> Vec<String>
     if !file.has_heading {
         faults.push(format!("{}:1: the first line must be `//!`: what room is this?", file.path));
     }
-    for (line, macro_name) in &file.leftovers {
+    // A test's stub may be one that must never be reached.
+    let is_test = file.path.contains("/tests/");
+    for (line, macro_name) in file.leftovers.iter().filter(|(_, name)| !(is_test && name == "unimplemented"))
+    {
         faults.push(format!("{}:{line}: `{macro_name}!` is left over", file.path));
     }
     faults
