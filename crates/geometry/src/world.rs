@@ -248,6 +248,11 @@ impl Geometry {
         best
     }
 
+    /// The material at a hit.
+    pub fn material_at(&self, hit: &Hit) -> MaterialId {
+        self.tree.leaves.leaves[hit.leaf as usize].material
+    }
+
     /// The material of a leaf whose textures are that material's alone; `None` where parts of the leaf have their own.
     pub fn plain_material(&self, leaf: u32) -> Option<MaterialId> {
         let plain = self.parts.is_empty() || !self.parts.contains_key(&leaf);
