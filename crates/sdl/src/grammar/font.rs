@@ -102,9 +102,8 @@ impl<'a> Font<'a> {
         };
         let code = u32::from(c);
         let symbol = (code < 0x100).then_some(code + 0xF000);
-        let tables = self.face.tables().cmap;
-        let subtables = tables.iter().flat_map(|cmap| cmap.subtables);
-        let of = |platform| subtables.clone().filter(move |table| table.platform_id == platform);
+        let subtables = self.face.tables().cmap.map(|cmap| cmap.subtables);
+        let of = |platform| subtables.into_iter().flatten().filter(move |table| table.platform_id == platform);
         order
             .into_iter()
             .flat_map(of)

@@ -115,7 +115,10 @@ impl Body {
             }
             Tok::Kw(word) => match word {
                 Kw::Pi => self.word(p, Expr::Const(std::f64::consts::PI)),
-                Kw::Clock => p.float_word().map(Expr::Const),
+                Kw::Clock => {
+                    let clock = p.clock();
+                    self.word(p, Expr::Const(clock))
+                }
                 Kw::U if self.standard => self.word(p, Expr::Slot(0)),
                 Kw::V if self.standard => self.word(p, Expr::Slot(1)),
                 Kw::X | Kw::Y | Kw::Z | Kw::U | Kw::V => self.word(p, Expr::Const(0.0)),

@@ -121,7 +121,8 @@ pub fn block(p: &mut Parser, base: Option<&Normal>) -> Result<Option<Arc<Normal>
 pub fn item(p: &mut Parser, draft: &mut Draft) -> Result<bool> {
     match p.peek()? {
         Tok::Value(Kind::Normal) => {
-            *draft = Draft::new(Some(&take!(p, Normal)));
+            let base = take!(p, Normal);
+            *draft = Draft::new(Some(&base));
             return Ok(true);
         }
         Tok::Kw(word) => {

@@ -1,7 +1,6 @@
 //! Patterns while they are being read: the formula, its own parameters, and the modifiers that all patterns share.
 use std::sync::Arc;
 
-use raggio_math::Affine;
 use raggio_scene::{FractalSettings, Pattern, PatternKind, Warp, Wave};
 
 use super::util::{count, float, float32, optional_second, set, set_vec3, set32, word};
@@ -59,11 +58,6 @@ impl Draft {
         self.wave = default_wave(&kind);
         self.frequency = default_frequency(&kind);
         self.kind = Some(kind);
-    }
-
-    /// Applies a transform after those already there.
-    pub fn transform(&mut self, t: &Affine) {
-        warp::transform(&mut self.warps, t);
     }
 
     /// The finished pattern of the given kind.

@@ -125,7 +125,8 @@ pub fn item(p: &mut Parser, draft: &mut Draft) -> Result<bool> {
     }
     match p.peek()? {
         Tok::Value(Kind::Pigment) if draft.flavour == Flavour::Pigment => {
-            *draft = Draft::new(&take!(p, Pigment), draft.flavour);
+            let base = take!(p, Pigment);
+            *draft = Draft::new(&base, draft.flavour);
             return Ok(true);
         }
         Tok::Value(Kind::Density) if draft.flavour == Flavour::Density => {

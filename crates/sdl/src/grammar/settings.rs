@@ -81,8 +81,8 @@ fn assumed_gamma(p: &mut Parser, span: Span) -> Result<()> {
 fn charset(p: &mut Parser) -> Result<()> {
     p.charset = match word(p)? {
         Some(Kw::Ascii) => Charset::Ascii,
-        Some(Kw::Utf8) => Charset::Utf8,
-        Some(Kw::Sys) => Charset::Sys,
+        // Systems of today speak UTF-8.
+        Some(Kw::Utf8 | Kw::Sys) => Charset::Utf8,
         _ => return p.expected("`ascii`, `utf8` or `sys`"),
     };
     p.next().map(|_| ())
