@@ -96,10 +96,11 @@ pub fn block(p: &mut Parser) -> Result<Texture> {
     draft.finish(p)
 }
 
-/// `texture { } texture { } ...`: all layers; the first word has not been read.
+/// `texture { } texture { } ...`: all layers; the first word has not been read. A macro call behind a layer is left
+/// alone: it may want the very texture that is being declared.
 pub fn layers(p: &mut Parser) -> Result<Option<Texture>> {
     let mut texture: Option<Texture> = None;
-    while word(p)? == Some(Kw::Texture) {
+    while (texture.is_none() || !p.next_is_name()) && word(p)? == Some(Kw::Texture) {
         p.next()?;
         let over = block(p)?;
         texture = Some(match texture {

@@ -306,6 +306,14 @@ impl Parser<'_> {
         frame.pos < frame.end && frame.file.tokens[frame.pos as usize].is_punct(c)
     }
 
+    /// Does a name come next, which may be a macro's? Nothing is executed to find out, as a peek would.
+    pub fn next_is_name(&self) -> bool {
+        let frame = &self.cursor.frame;
+        self.cursor.ahead.is_none()
+            && frame.pos < frame.end
+            && matches!(frame.file.tokens[frame.pos as usize].lexeme(), Lexeme::Ident(_))
+    }
+
     /// Consumes the next token without giving it a meaning: for names in `#declare`, `#ifdef` and the like.
     pub(super) fn raw(&mut self) -> Result<Option<Lexeme>> {
         loop {
