@@ -219,7 +219,11 @@ fn top_layer<'t>(p: &mut Parser, texture: &'t mut Texture) -> Result<&'t mut Lay
     {
         return Ok(layer);
     }
-    p.error("patterned-texture", "a patterned texture has no pigment, normal or finish of its own to change", span)
+    p.error(
+        "patterned-texture",
+        "a patterned texture has no pigment, normal or finish of its own to change",
+        span,
+    )
 }
 
 /// Words of pigments, normals and finishes that stand directly in the texture, as they did before version 1.5.

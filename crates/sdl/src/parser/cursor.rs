@@ -90,6 +90,9 @@ impl Cursor {
 impl Parser<'_> {
     /// Looks at the next token, executing what stands before it.
     pub(super) fn advance(&mut self) -> Result<Tok> {
+        if let Some(fault) = self.fault.take() {
+            return Err(fault);
+        }
         loop {
             let frame = &mut self.cursor.frame;
             if frame.pos >= frame.end {
