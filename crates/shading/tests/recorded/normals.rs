@@ -1,15 +1,13 @@
 //! Bent normals against those recovered from pictures of the language's reference renderer: a tilted plane under
 //! three coloured lights, 16 bits a channel.
-mod statement;
-
 use std::sync::Arc;
 
+use crate::statement::{self, pictures::image_map};
 use raggio_math::{Vec2, Vec3};
 use raggio_scene::{
     ImageMap, Interpolation, Normal as SceneNormal, NormalKind, NormalPattern, PatternKind, Warp,
 };
 use raggio_shading::{Context, Noise, Normal};
-use statement::pictures::image_map;
 
 fn normal(kind: NormalKind, amount: f32) -> SceneNormal {
     SceneNormal { kind, amount, accuracy: 0.02, no_bump_scale: false }
@@ -120,7 +118,7 @@ fn facing() -> Vec3 {
 fn bent_normals_are_the_recorded_ones() {
     let mut failures = Vec::new();
     let (mut name, mut compiled, mut points) = ("", None, 0);
-    for line in include_str!("data/normals.csv").lines().skip(1) {
+    for line in include_str!("../data/normals.csv").lines().skip(1) {
         let mut fields = line.split(',');
         let this = fields.next().expect("a name");
         let numbers: Vec<f64> = fields.map(|f| f.parse().expect("a number")).collect();

@@ -1,10 +1,8 @@
 //! Patterns that look at the surface, against pictures of a sphere by the language's reference renderer (16 bits).
-mod statement;
-
+use crate::statement::{bare, transformed};
 use raggio_math::{Vec2, Vec3, transform};
 use raggio_scene::{FractalKind, FractalSettings, Pattern as ScenePattern, PatternKind, SlopeSettings};
 use raggio_shading::{Context, Noise, Pattern};
-use statement::{bare, transformed};
 
 const PLAIN: SlopeSettings = SlopeSettings {
     direction: Vec3::Y,
@@ -60,7 +58,7 @@ fn hit(x: f64, y: f64) -> Context {
 #[test]
 fn slopes_and_angles_are_the_recorded_ones() {
     let mut points = 0;
-    for line in include_str!("data/slope.csv").lines().skip(1) {
+    for line in include_str!("../data/slope.csv").lines().skip(1) {
         let fields: Vec<&str> = line.split(',').collect();
         let number = |k: usize| fields[k].parse::<f64>().expect("a number");
         let pattern = Pattern::compile(&by_name(fields[0]), Noise::default());
@@ -100,7 +98,7 @@ fn magnets_inside_measure_their_orbits() {
         magnet(FractalKind::Magnet1, None, 30),
         magnet(FractalKind::Magnet2, Some(Vec2::new(1.5, 0.3)), 10),
     ];
-    for line in include_str!("data/magnet.csv").lines() {
+    for line in include_str!("../data/magnet.csv").lines() {
         let n: Vec<f64> = line.split(',').map(|f| f.parse().expect("a number")).collect();
         for (pattern, expected) in patterns.iter().zip(&n[2..]) {
             let value = pattern.eval(Vec3::new(n[0], n[1], 0.0), &Context::NONE);

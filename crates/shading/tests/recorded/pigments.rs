@@ -1,14 +1,12 @@
 //! Pigments against colours that the language's reference renderer gives for the same statements.
-mod statement;
-
 use std::sync::Arc;
 
+use crate::statement::{self, pictures::image_map};
 use raggio_function::External;
 use raggio_image::Curve;
 use raggio_math::Vec3;
 use raggio_scene::{Color, ImageMap, Interpolation, MapType, Pigment as ScenePigment, PigmentKind, Warp};
 use raggio_shading::{Context, Noise, Pigment, PigmentFunction};
-use statement::pictures::image_map;
 
 fn pigment(kind: PigmentKind) -> ScenePigment {
     ScenePigment { kind, quick_color: None }
@@ -110,7 +108,7 @@ fn by_name(name: &str) -> ScenePigment {
 #[test]
 fn colours_are_the_recorded_ones() {
     let (mut failures, mut points) = (Vec::new(), 0);
-    for line in include_str!("data/pigments.csv").lines().skip(1) {
+    for line in include_str!("../data/pigments.csv").lines().skip(1) {
         let mut fields = line.split(',');
         let name = fields.next().expect("a name");
         let n: Vec<f64> = fields.map(|f| f.parse().expect("a number")).collect();
