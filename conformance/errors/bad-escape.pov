@@ -1,2 +1,2 @@
-// error[bad-escape] 2:11
+// error[bad-escape] 2:8
 #debug "a \q b"

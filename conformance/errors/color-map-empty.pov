@@ -1,2 +1,2 @@
-// error[expected] 2:48
+// error[bad-map] 2:46
 sphere { 0, 1 pigment { gradient x color_map { } } }

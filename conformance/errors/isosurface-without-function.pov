@@ -1,2 +1,2 @@
-// error[expected] 2:14 function
+// error[empty-object] 2:12 isosurface
 isosurface { }

@@ -1,2 +1,2 @@
-// error[expected] 2:8 triangle
+// error[empty-object] 2:6 mesh
 mesh { }

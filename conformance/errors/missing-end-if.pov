@@ -1,3 +1,3 @@
-// error[missing-end] 2:1 #if
+// error[missing-end] 2:1 #end
 #if (1)
 sphere { 0, 1 }
