@@ -4,7 +4,8 @@ use std::time::Instant;
 
 use raggio_math::Vec3;
 use raggio_scene::{
-    CrackleSettings, FractalKind, FractalSettings, Pattern as ScenePattern, PatternKind, Turbulence, Warp, Wave,
+    CrackleSettings, FractalKind, FractalSettings, Pattern as ScenePattern, PatternKind, Turbulence, Warp,
+    Wave,
 };
 use raggio_shading::{Context, Noise, Pattern};
 
@@ -13,7 +14,8 @@ const RUNS: usize = 15;
 
 /// Prints the best of several short runs, so that other work on the machine counts little.
 fn report(name: &str, kind: PatternKind, warps: Vec<Warp>) {
-    let scene = ScenePattern { kind, warps, wave: Wave::Ramp, frequency: 1.0, phase: 0.0, noise_generator: 0 };
+    let scene =
+        ScenePattern { kind, warps, wave: Wave::Ramp, frequency: 1.0, phase: 0.0, noise_generator: 0 };
     let pattern = Pattern::compile(&scene, Noise::default());
     let run = || {
         let start = Instant::now();
@@ -40,7 +42,8 @@ fn main() {
         interior_type: 0,
         interior_factor: 1.0,
     };
-    let pavement = PatternKind::Pavement { sides: 6, tiles: 4, pattern: 3, exterior: 0, interior: 1, form: 1 };
+    let pavement =
+        PatternKind::Pavement { sides: 6, tiles: 4, pattern: 3, exterior: 0, interior: 1, form: 1 };
     report("checker", PatternKind::Checker, Vec::new());
     report("gradient", PatternKind::Gradient(Vec3::X), Vec::new());
     report("bozo", PatternKind::Bozo, Vec::new());
