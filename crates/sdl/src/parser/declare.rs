@@ -57,7 +57,12 @@ impl Parser<'_> {
             }
             _ => {
                 let span = self.here();
-                let message = format!("`{}` is no directive", self.source_text(span));
+                let text = self.source_text(span);
+                if text.trim_end() == "#" {
+                    self.warn("stray-hash", "a lone `#` means nothing", span);
+                    return Ok(());
+                }
+                let message = format!("`{text}` is no directive");
                 self.error("unknown-directive", message, span)
             }
         }
@@ -186,10 +191,11 @@ impl Parser<'_> {
 
     /// The right side of a declaration: what follows it is not executed before the name is bound.
     fn right_side(&mut self) -> Result<Value> {
+        let frame = self.cursor.callers.len();
         self.peek()?;
         let numeric = self.at_expression()? || self.at_color_word()?;
         self.cursor.stop = if numeric && self.lang() >= 350 { Stop::Statements } else { Stop::All };
-        self.cursor.stop_frame = self.cursor.callers.len();
+        self.cursor.stop_frame = frame;
         let value = self.value();
         self.cursor.stop = Stop::Never;
         value
