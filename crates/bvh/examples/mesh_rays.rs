@@ -6,9 +6,11 @@
 
 use std::time::Duration;
 
-use raggio_bvh::mesh::{MeshBvh, MeshRay};
+use raggio_bvh::mesh::{MeshBvh, MeshRay, Packet, PacketHit};
 
 type Error = Box<dyn std::error::Error>;
+/// Points and the triangles between them.
+type Mesh = (Vec<[f32; 3]>, Vec<[u32; 3]>);
 
 fn main() -> Result<(), Error> {
     let args: Vec<String> = std::env::args().skip(1).collect();
@@ -31,20 +33,47 @@ fn main() -> Result<(), Error> {
                 *shadow = u8::from(bvh.any(ray));
             }
         });
+        let packets: Vec<Packet> = rays.chunks(16).map(packet).collect();
+        let none = PacketHit { t: [f32::INFINITY; 16], triangle: [u32::MAX; 16] };
+        let mut packet_hits = vec![none; packets.len()];
+        let mut packet_shadows = vec![0u16; packets.len()];
+        let (closest_packet, ()) = timed(5, || {
+            for (packet, hit) in packets.iter().zip(&mut packet_hits) {
+                *hit = bvh.closest_packet(packet);
+            }
+        });
+        let (any_packet, ()) = timed(5, || {
+            for (packet, shadow) in packets.iter().zip(&mut packet_shadows) {
+                *shadow = bvh.any_packet(packet);
+            }
+        });
+        let packet_sum: f64 = (0..rays.len())
+            .map(|i| packet_hits[i / 16].t[i % 16])
+            .filter(|t| t.is_finite())
+            .map(f64::from)
+            .sum();
         let mrays = |time: f64| rays.len() as f64 / time * 1e-6;
         let found = hits.iter().filter(|h| h.0 < f32::INFINITY);
         let sum: f64 = found.clone().map(|h| f64::from(h.0)).sum();
         let blocked = shadows.iter().filter(|&&s| s != 0).count();
         println!(
             "{{\"rays\":\"{file}\",\"build_s\":{build:.4},\"bytes\":{},\"closest_mrays\":{:.3},\"any_mrays\":{:.3},\
-             \"hits\":{},\"any_hits\":{blocked},\"sum_t\":{sum:.6}}}",
+             \"closest_packet_mrays\":{:.3},\"any_packet_mrays\":{:.3},\"hits\":{},\"any_hits\":{blocked},\
+             \"sum_t\":{sum:.6},\"packet_sum_t\":{packet_sum:.6}}}",
             bvh.bytes(),
             mrays(closest),
             mrays(any),
+            mrays(closest_packet),
+            mrays(any_packet),
             found.count(),
         );
     }
     Ok(())
+}
+
+/// Sixteen rays; a last handful is filled up with copies.
+fn packet(rays: &[MeshRay]) -> Packet {
+    Packet::new(&std::array::from_fn(|i| rays[i.min(rays.len() - 1)]))
 }
 
 /// The median time of some runs, after one that is not counted, and the last result.
@@ -78,7 +107,7 @@ fn header(bytes: &[u8], magic: &[u8; 4]) -> Result<[usize; 2], Error> {
     Ok([counts.next().unwrap_or(0), counts.next().unwrap_or(0)])
 }
 
-fn read_mesh(bytes: &[u8]) -> Result<(Vec<[f32; 3]>, Vec<[u32; 3]>), Error> {
+fn read_mesh(bytes: &[u8]) -> Result<Mesh, Error> {
     let [vertices, triangles] = header(bytes, b"TRI1")?;
     let body = bytes.get(16..16 + 12 * (vertices + triangles)).ok_or("the mesh is cut short")?;
     let (points, indices) = body.split_at(12 * vertices);

@@ -10,6 +10,7 @@
 #[macro_use]
 mod kernel;
 mod build;
+mod packet;
 mod scalar;
 mod wide;
 
@@ -73,6 +74,54 @@ pub struct MeshBvh {
     isa: wide::Isa,
 }
 
+/// Sixteen rays that start close to each other and go much the same way.
+#[derive(Clone, Copy, Debug)]
+#[repr(C, align(64))]
+pub struct Packet {
+    /// `origin[axis][ray]`
+    pub origin: [[f32; 16]; 3],
+    /// `dir[axis][ray]`
+    pub dir: [[f32; 16]; 3],
+    /// See [`MeshRay::t_min`].
+    pub t_min: [f32; 16],
+    /// See [`MeshRay::t_max`].
+    pub t_max: [f32; 16],
+}
+
+impl Packet {
+    /// The rays side by side. A packet may be filled up with copies of a ray.
+    pub fn new(rays: &[MeshRay; 16]) -> Packet {
+        let spread = |f: &dyn Fn(&MeshRay) -> f32| std::array::from_fn(|i| f(&rays[i]));
+        Packet {
+            origin: std::array::from_fn(|axis| spread(&|r| r.origin[axis])),
+            dir: std::array::from_fn(|axis| spread(&|r| r.dir[axis])),
+            t_min: spread(&|r| r.t_min),
+            t_max: spread(&|r| r.t_max),
+        }
+    }
+
+    /// One of the rays.
+    pub fn ray(&self, i: usize) -> MeshRay {
+        let pick = |rows: &[[f32; 16]; 3]| [rows[0][i], rows[1][i], rows[2][i]];
+        MeshRay {
+            origin: pick(&self.origin),
+            t_min: self.t_min[i],
+            dir: pick(&self.dir),
+            t_max: self.t_max[i],
+        }
+    }
+}
+
+/// The nearest triangles of a packet: infinity and `u32::MAX` where a ray hits nothing.
+#[derive(Clone, Copy, Debug)]
+#[repr(C, align(64))]
+pub struct PacketHit {
+    /// Ray parameters.
+    pub t: [f32; 16],
+    /// Indices of triangles.
+    pub triangle: [u32; 16],
+}
+
 impl MeshBvh {
     /// Builds over triangles given by indices into `vertices`. Coordinates must be finite.
     pub fn build(vertices: &[[f32; 3]], triangles: &[[u32; 3]]) -> MeshBvh {
@@ -96,6 +145,18 @@ impl MeshBvh {
     #[inline]
     pub fn any(&self, ray: &MeshRay) -> bool {
         wide::any(self.isa, self, self.root, ray)
+    }
+
+    /// [`MeshBvh::closest`] for sixteen rays; worth it where they are coherent, right in any case.
+    #[inline]
+    pub fn closest_packet(&self, packet: &Packet) -> PacketHit {
+        packet::closest(self, packet)
+    }
+
+    /// [`MeshBvh::any`] for sixteen rays: bit `i` is set where ray `i` hits something.
+    #[inline]
+    pub fn any_packet(&self, packet: &Packet) -> u16 {
+        packet::any(self, packet)
     }
 }
 
@@ -176,6 +237,30 @@ mod tests {
         assert_eq!(huge.closest(&down).map(|h| h.triangle), Some(1));
     }
 
+    #[test]
+    fn packets_agree_with_single_rays() {
+        let mut random = Random(11);
+        let (vertices, triangles) = soup(300, 0.2, &mut random);
+        let bvh = MeshBvh::build(&vertices, &triangles);
+        for n in 0..300 {
+            // Narrow bundles, wide ones, and some without any coherence.
+            let spread = [0.02, 0.3, 4.0][n % 3];
+            let (origin, dir) = (random.point().map(|c| 3.0 * c), random.point());
+            let rays: [MeshRay; 16] = std::array::from_fn(|_| {
+                let d = random.point();
+                ray(origin, [0, 1, 2].map(|k| dir[k] + spread * d[k]))
+            });
+            let packet = Packet::new(&rays);
+            let (hits, any) = (bvh.closest_packet(&packet), bvh.any_packet(&packet));
+            for (i, ray) in rays.iter().enumerate() {
+                let single = bvh.closest(ray).map_or((f32::INFINITY, u32::MAX), |h| (h.t, h.triangle));
+                assert_eq!(any >> i & 1 == 1, single.1 != u32::MAX, "{ray:?}");
+                let close = hits.t[i] == single.0 || (hits.t[i] - single.0).abs() < 1e-5 * single.0;
+                assert!(close, "{} {} {ray:?}", hits.t[i], single.0);
+            }
+        }
+    }
+
     /// A closed, finely divided sphere seen from inside: every ray must hit, those through edges and corners too.
     #[test]
     fn a_closed_mesh_leaks_nowhere() {
@@ -183,7 +268,10 @@ mod tests {
         let mut vertices = vec![[0.0, 1.0, 0.0], [0.0, -1.0, 0.0]];
         for i in 1..rows {
             for j in 0..columns {
-                let (a, b) = (i as f32 / rows as f32 * 3.1415927, j as f32 / columns as f32 * 6.2831855);
+                let (a, b) = (
+                    i as f32 / rows as f32 * std::f32::consts::PI,
+                    j as f32 / columns as f32 * std::f32::consts::TAU,
+                );
                 vertices.push([a.sin() * b.cos(), a.cos(), a.sin() * b.sin()]);
             }
         }
