@@ -1,7 +1,7 @@
 //! The frozen world: a scene compiled for rays, shared by all threads.
 use std::sync::Arc;
 
-use raggio_geometry::{BuildError, Geometry, Interaction, InteriorId, Material, TextureId};
+use raggio_geometry::{BuildError, Geometry, Hit, Interaction, InteriorId, Material, TextureId};
 use raggio_image::Rgb;
 use raggio_math::{Affine, Vec3};
 use raggio_scene::{GammaMode, Interior, Object, ObjectKind, Scene};
@@ -21,6 +21,8 @@ pub struct World {
     textures: Vec<WorldTexture>,
     /// By `InteriorId`.
     interiors: Vec<WorldInterior>,
+    /// By `MaterialId`: does nothing shine through?
+    opaque: Vec<bool>,
     pub(crate) lights: Vec<LightSource>,
     pub(crate) light_sets: LightSets,
     pub(crate) camera: Camera,
@@ -96,6 +98,7 @@ impl World {
             radiosity: radiosity_rules(scene, &geometry),
             camera: Camera::build(&scene.camera, rules.noise, &geometry)?,
             sky: Sky::new(scene, rules.noise),
+            opaque: opaque_materials(&geometry, &textures),
             geometry,
             textures,
             interiors,
@@ -130,6 +133,11 @@ impl World {
 
     pub(crate) fn material(&self, hit: &Interaction) -> &Material {
         &self.geometry.materials[hit.material.0 as usize]
+    }
+
+    /// Does the surface at a hit stop all light?
+    pub(crate) fn stops_light(&self, hit: &Hit) -> bool {
+        self.geometry.plain_material(hit.leaf).is_some_and(|material| self.opaque[material.0 as usize])
     }
 
     /// Do all these interiors let fog and media show?
@@ -175,6 +183,12 @@ fn compile_textures(geometry: &Geometry, noise: Noise) -> Vec<WorldTexture> {
         WorldTexture { texture: texture.clone(), frame }
     };
     geometry.textures.iter().map(compile).collect()
+}
+
+fn opaque_materials(geometry: &Geometry, textures: &[WorldTexture]) -> Vec<bool> {
+    let opaque = |id: TextureId| textures[id.0 as usize].texture.is_opaque();
+    let all = |m: &Material| m.texture.is_some_and(opaque) && m.interior_texture.is_none_or(opaque);
+    geometry.materials.iter().map(all).collect()
 }
 
 fn compile_interiors(geometry: &Geometry, rules: &Rules) -> Vec<WorldInterior> {

@@ -1,5 +1,5 @@
 //! Shadow rays: what reaches a surface point of a light (light spec, section 5.4).
-use raggio_geometry::{Interaction, RayClass};
+use raggio_geometry::{Hit, Interaction, RayClass};
 use raggio_image::Rgb;
 use raggio_math::{Ray, Vec3};
 use raggio_shading::{Context, Layer};
@@ -63,7 +63,11 @@ impl Tracer<'_> {
         let mut list: Option<Interiors> = None;
         while left > 2.0 * SHADOW_TOLERANCE {
             let range = (SHADOW_TOLERANCE, left - SHADOW_TOLERANCE);
-            let Some(hit) = world.geometry.closest(&ray, range, RayClass::Shadow) else { break };
+            let stops = |hit: &Hit| world.stops_light(hit);
+            let Some(hit) = world.geometry.blocker(&ray, range, RayClass::Shadow, stops) else { break };
+            if world.stops_light(&hit) {
+                return Rgb::ZERO;
+            }
             let surface = world.geometry.interaction(&ray, &hit);
             let inside = list.get_or_insert_with(|| interiors.clone());
             light *= self.filter(&ray, hit.t, &surface, inside);

@@ -121,8 +121,8 @@ impl Parser<'_> {
     }
 
     fn subscript(&self, value: f64, dim: u32, span: Span) -> Result<u32> {
-        let i = (value + raggio_math::EPS).trunc();
-        if i >= 0.0 && i < f64::from(dim) {
+        let i = value + raggio_math::EPS;
+        if i >= 0.0 && i.trunc() < f64::from(dim) {
             return Ok(i as u32);
         }
         let message = format!("subscript {value} is out of range: the items are numbered 0 to {}", dim - 1);

@@ -142,12 +142,17 @@ impl Parser<'_> {
             return Ok(next);
         }
         let span = self.directive_span(first.min(file.directives.len() as u32 - 1));
-        self.skip_out_of_file(span)
+        self.skip_across_files(span)
     }
 
-    /// The construct ends in an including file: looks for its next branch there.
-    fn skip_out_of_file(&mut self, span: Span) -> Result<u32> {
+    /// The construct was begun in an included file and ends in the one that includes it, or the other way round:
+    /// looks for its next branch from here on.
+    fn skip_across_files(&mut self, span: Span) -> Result<u32> {
         loop {
+            if let Some(branch) = self.next_branch_here() {
+                self.cursor.frame.pos = self.cursor.frame.file.directives[branch as usize].token + 1;
+                return Ok(branch);
+            }
             self.cursor.frame.pos = self.cursor.frame.end;
             if self.cursor.frame.of_macro.is_some()
                 || self.cursor.callers.is_empty()
@@ -155,23 +160,25 @@ impl Parser<'_> {
             {
                 return self.missing_end(span);
             }
-            let frame = &self.cursor.frame;
-            let mut depth = 0;
-            let from = frame.file.directives.partition_point(|d| d.token < frame.pos);
-            for (i, d) in frame.file.directives.iter().enumerate().skip(from) {
-                match d.word {
-                    Some(Kw::If | Kw::Ifdef | Kw::Ifndef | Kw::While | Kw::For | Kw::Switch | Kw::Macro) => {
-                        depth += 1
-                    }
-                    Some(Kw::End) if depth > 0 => depth -= 1,
-                    Some(Kw::End | Kw::Else | Kw::Elseif) if depth == 0 => {
-                        self.cursor.frame.pos = d.token + 1;
-                        return Ok(i as u32);
-                    }
-                    _ => {}
+        }
+    }
+
+    /// The next branch or end, after the walk's place, of a construct that was begun elsewhere.
+    fn next_branch_here(&self) -> Option<u32> {
+        let frame = &self.cursor.frame;
+        let from = frame.file.directives.partition_point(|d| d.token < frame.pos);
+        let mut depth = 0;
+        for (i, d) in frame.file.directives.iter().enumerate().skip(from) {
+            match d.word {
+                Some(Kw::If | Kw::Ifdef | Kw::Ifndef | Kw::While | Kw::For | Kw::Switch | Kw::Macro) => {
+                    depth += 1
                 }
+                Some(Kw::End) if depth > 0 => depth -= 1,
+                Some(Kw::End | Kw::Else | Kw::Elseif) if depth == 0 => return Some(i as u32),
+                _ => {}
             }
         }
+        None
     }
 
     /// Walks to just after the `#end` of the construct of which `d` is a branch.

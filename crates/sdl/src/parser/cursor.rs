@@ -30,7 +30,7 @@ pub struct Frame {
     pub call: Option<Span>,
 }
 
-/// Does a directive end the right side of a declaration? (Otherwise it is executed there.)
+/// Does a directive end the right side of a declaration? (Otherwise it is executed there.) A macro call always does.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Stop {
     /// No declaration is being read, or we are inside brackets.
@@ -109,6 +109,10 @@ impl Parser<'_> {
                 Lexeme::Kw(kw) => Tok::Kw(kw),
                 Lexeme::String(_) => Tok::String,
                 Lexeme::Ident(symbol) => match self.resolve(symbol)? {
+                    Some(Tok::End) => {
+                        self.cursor.frame.pos = pos;
+                        return Ok(Tok::End);
+                    }
                     Some(tok) => tok,
                     None => continue,
                 },
@@ -131,9 +135,11 @@ impl Parser<'_> {
     }
 
     fn run_directive(&mut self, d: u32) -> Result<()> {
+        let frame = self.cursor.stop_frame;
         let stop = std::mem::replace(&mut self.cursor.stop, Stop::Never);
         self.directive(d)?;
         self.cursor.stop = stop;
+        self.cursor.stop_frame = frame;
         Ok(())
     }
 
@@ -204,7 +210,8 @@ impl Parser<'_> {
         Ok(())
     }
 
-    /// What an identifier stands for; `None` after a macro call, which has changed the stream.
+    /// What an identifier stands for; `None` after a macro call, which has changed the stream. A macro after the
+    /// right side of a declaration is not called yet: `Tok::End`.
     fn resolve(&mut self, symbol: Symbol) -> Result<Option<Tok>> {
         let Some(slot) = self.scopes.lookup(symbol) else {
             return Ok(self.resolve_contextual(symbol));
@@ -214,6 +221,7 @@ impl Parser<'_> {
         }
         let array = match self.scopes.entry(slot) {
             Entry::Undeclared => return Ok(Some(Tok::Unknown)),
+            Entry::Macro(_) if self.cursor.stop != Stop::Never => return Ok(Some(Tok::End)),
             Entry::Macro(called) => {
                 let called = called.clone();
                 self.call_macro(called)?;

@@ -186,10 +186,11 @@ impl Parser<'_> {
 
     /// The right side of a declaration: what follows it is not executed before the name is bound.
     fn right_side(&mut self) -> Result<Value> {
+        let frame = self.cursor.callers.len();
         self.peek()?;
         let numeric = self.at_expression()? || self.at_color_word()?;
         self.cursor.stop = if numeric && self.lang() >= 350 { Stop::Statements } else { Stop::All };
-        self.cursor.stop_frame = self.cursor.callers.len();
+        self.cursor.stop_frame = frame;
         let value = self.value();
         self.cursor.stop = Stop::Never;
         value

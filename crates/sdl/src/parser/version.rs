@@ -31,10 +31,11 @@ impl VersionState {
 impl Parser<'_> {
     /// `#version e;`, the word already read.
     pub(super) fn version_directive(&mut self) -> Result<()> {
+        let frame = self.cursor.callers.len();
         let span = self.span();
         self.skip_unofficial()?;
         self.cursor.stop = Stop::All;
-        self.cursor.stop_frame = self.cursor.callers.len();
+        self.cursor.stop_frame = frame;
         let value = self.float();
         self.cursor.stop = Stop::Never;
         let hundredths = (100.0 * value? + 0.5).trunc();
