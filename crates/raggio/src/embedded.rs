@@ -14,7 +14,25 @@ macro_rules! includes {
     };
 }
 
-includes! {}
+includes! {
+    "arrays.inc"
+    "colors.inc"
+    "consts.inc"
+    "debug.inc"
+    "finish.inc"
+    "functions.inc"
+    "glass.inc"
+    "glass_old.inc"
+    "golds.inc"
+    "ior.inc"
+    "math.inc"
+    "metals.inc"
+    "rand.inc"
+    "shapes.inc"
+    "shapes_old.inc"
+    "strings.inc"
+    "transforms.inc"
+}
 
 #[cfg(test)]
 mod tests {

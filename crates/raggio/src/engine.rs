@@ -1,7 +1,6 @@
 //! The engine as a running scene sees it: answers to `trace`, `inside`, extents, and pigment functions.
-use std::cell::RefCell;
 use std::collections::HashMap;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use raggio_function::External;
 use raggio_geometry::{Geometry, RayClass};
@@ -17,18 +16,19 @@ const KEPT: usize = 64;
 #[derive(Default)]
 pub struct LiveEngine {
     /// By address; each entry keeps its object alive, so that an address names one object only.
-    compiled: RefCell<HashMap<*const Object, (Arc<Object>, Option<Arc<Geometry>>)>>,
+    compiled: Mutex<HashMap<usize, (Arc<Object>, Option<Arc<Geometry>>)>>,
 }
 
 impl LiveEngine {
     /// The compiled object; `None` where it is of an unsupported kind.
     fn geometry(&self, object: &Arc<Object>) -> Option<Arc<Geometry>> {
-        let mut compiled = self.compiled.borrow_mut();
-        if compiled.len() >= KEPT && !compiled.contains_key(&Arc::as_ptr(object)) {
+        let address = Arc::as_ptr(object) as usize;
+        let mut compiled = self.compiled.lock().unwrap_or_else(PoisonError::into_inner);
+        if compiled.len() >= KEPT && !compiled.contains_key(&address) {
             compiled.clear();
         }
         let entry = compiled
-            .entry(Arc::as_ptr(object))
+            .entry(address)
             .or_insert_with(|| (object.clone(), Geometry::of_object(object).ok().map(Arc::new)));
         entry.1.clone()
     }

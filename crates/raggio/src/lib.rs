@@ -19,9 +19,10 @@ mod load;
 mod output;
 
 pub use embedded::DEFAULT_SCENE;
-pub use load::{Failure, Loaded, SceneOptions, load};
+pub use load::{Failure, Loaded, SceneOptions, load, load_with};
 pub use output::{OutputError, write_picture};
 pub use raggio_diag as diag;
 pub use raggio_image as image;
 pub use raggio_render::{Antialias, AntialiasMethod, Film, Options as RenderOptions, Region, World};
 pub use raggio_scene as scene;
+pub use raggio_sdl::{Declared, ParseOptions};

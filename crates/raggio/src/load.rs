@@ -1,5 +1,7 @@
 //! From a scene's file to a scene that can be rendered.
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 
 use raggio_diag::{Diagnostic, Sources};
 use raggio_render::World;
@@ -59,7 +61,7 @@ pub struct Failure {
 impl Failure {
     /// All of it as text for a person, without colours.
     pub fn render(&self) -> String {
-        self.diagnostics.iter().map(|d| d.render(&self.sources, false)).collect()
+        self.diagnostics.iter().map(|d| plain(d, &self.sources)).collect()
     }
 }
 
@@ -73,8 +75,24 @@ pub struct Loaded {
     pub sources: Sources,
 }
 
-/// Reads and runs a scene.
+/// Reads and runs a scene, in silence.
+///
+/// # Errors
+/// All diagnostics up to the error that stopped it.
 pub fn load(options: &SceneOptions) -> Result<Loaded, Failure> {
+    load_with(options, &mut |_| {}, &Arc::new(AtomicBool::new(false)))
+}
+
+/// Reads and runs a scene. `debug` receives the text of `#debug` as it comes; setting `cancel` stops the run with an
+/// error of code `cancelled`.
+///
+/// # Errors
+/// All diagnostics up to the error that stopped it.
+pub fn load_with(
+    options: &SceneOptions,
+    debug: &mut (dyn FnMut(&str) + Send),
+    cancel: &Arc<AtomicBool>,
+) -> Result<Loaded, Failure> {
     let mut sources = Sources::default();
     let (name, text) = match source_text(options) {
         Ok(found) => found,
@@ -83,7 +101,7 @@ pub fn load(options: &SceneOptions) -> Result<Loaded, Failure> {
     let folder = options.path.as_deref().and_then(Path::parent);
     let files = DiskFiles::new(folder, &options.libraries, options.use_installed_library);
     let engine = LiveEngine::default();
-    match raggio_sdl::parse(&mut sources, &name, text, &engine, &files, &options.parse) {
+    match raggio_sdl::parse(&mut sources, &name, text, &engine, &files, &options.parse, debug, cancel) {
         Ok(parsed) => Ok(Loaded { scene: parsed.scene, warnings: parsed.warnings, sources }),
         Err(diagnostics) => Err(Failure { diagnostics, sources }),
     }
@@ -113,4 +131,12 @@ impl Loaded {
             sources: self.sources.clone(),
         })
     }
+}
+
+fn plain(d: &Diagnostic, sources: &Sources) -> String {
+    let place = d.span.map(|s| {
+        let (line, column) = sources.line_column(s);
+        format!("{}:{line}:{column}: ", sources.get(s.file).name)
+    });
+    format!("{}{:?}[{}]: {}\n", place.unwrap_or_default(), d.severity, d.code, d.message)
 }
