@@ -59,10 +59,15 @@ pub fn bytes(p: &mut Parser, name: &str) -> Result<Arc<[u8]>> {
         return Ok(bytes);
     }
     let lower = stem.to_ascii_lowercase();
-    let twin = TWINS.iter().find(|(known, _)| *known == lower).map_or("LiberationSans-Regular", |(_, twin)| twin);
+    let twin =
+        TWINS.iter().find(|(known, _)| *known == lower).map_or("LiberationSans-Regular", |(_, twin)| twin);
     match in_folders(p, twin).or_else(|| p.file("cyrvetic", &[".ttf"]).ok()) {
         Some(bytes) => {
-            p.warn("substituted-font", format!("the font \"{name}\" is not here; using {twin} instead"), span);
+            p.warn(
+                "substituted-font",
+                format!("the font \"{name}\" is not here; using {twin} instead"),
+                span,
+            );
             Ok(bytes)
         }
         None => Err(missing),
@@ -103,7 +108,8 @@ impl<'a> Font<'a> {
         let code = u32::from(c);
         let symbol = (code < 0x100).then_some(code + 0xF000);
         let subtables = self.face.tables().cmap.map(|cmap| cmap.subtables);
-        let of = |platform| subtables.into_iter().flatten().filter(move |table| table.platform_id == platform);
+        let of =
+            |platform| subtables.into_iter().flatten().filter(move |table| table.platform_id == platform);
         order
             .into_iter()
             .flat_map(of)
