@@ -1,0 +1,379 @@
+//! Real roots of polynomials up to degree 35.
+//!
+//! Between two neighbouring critical points a polynomial is monotonic, so it has a root there exactly when its signs
+//! at the two differ. The critical points are the roots of the derivative, found the same way; the chain ends at a
+//! quadratic. (Yuksel, "High-Performance Polynomial Root Finding for Graphics", 2022.) Unlike closed forms the method
+//! never loses one of a pair of roots to cancellation: at a grazing ray both are found or neither is.
+//!
+//! Coefficients rise: `c[k]` belongs to `t^k`. An array of `N` coefficients has degree `N - 1`; high ones may be zero.
+
+/// The highest degree that the solver takes.
+pub const MAX_DEGREE: usize = 35;
+
+/// Sorted roots, at most `N`.
+#[derive(Clone, Copy, Debug)]
+pub struct Roots<const N: usize> {
+    values: [f64; N],
+    len: usize,
+}
+
+impl<const N: usize> Roots<N> {
+    /// No roots.
+    pub const NONE: Self = Roots { values: [0.0; N], len: 0 };
+
+    #[inline]
+    fn push(&mut self, x: f64) {
+        if self.len < N {
+            self.values[self.len] = x;
+            self.len += 1;
+        }
+    }
+}
+
+impl<const N: usize> std::ops::Deref for Roots<N> {
+    type Target = [f64];
+    #[inline]
+    fn deref(&self) -> &[f64] {
+        &self.values[..self.len]
+    }
+}
+
+/// The value at `x`.
+#[inline]
+pub fn eval(c: &[f64], x: f64) -> f64 {
+    c.iter().rev().fold(0.0, |v, &k| v * x + k)
+}
+
+/// The value and the slope at `x`.
+#[inline]
+fn eval_with_slope(c: &[f64], x: f64) -> (f64, f64) {
+    c.iter().rev().fold((0.0, 0.0), |(v, s), &k| (v * x + k, s * x + v))
+}
+
+/// The real roots of `c[0] + c[1] t + c[2] t^2`, sorted, without cancellation; a double root once.
+#[inline]
+pub fn quadratic(c: [f64; 3]) -> Roots<3> {
+    let mut roots = Roots::NONE;
+    let [c0, c1, c2] = c;
+    if c2 == 0.0 {
+        if c1 != 0.0 {
+            roots.push(-c0 / c1);
+        }
+        return roots;
+    }
+    let half = -0.5 * c1;
+    let disc = half.mul_add(half, -c2 * c0);
+    if disc.is_nan() || disc < 0.0 {
+        return roots;
+    }
+    let q = half + disc.sqrt().copysign(half);
+    if q == 0.0 {
+        roots.push(0.0);
+        return roots;
+    }
+    let (a, b) = (q / c2, c0 / q);
+    if disc == 0.0 || !a.is_finite() {
+        roots.push(b);
+    } else {
+        roots.push(a.min(b));
+        roots.push(a.max(b));
+    }
+    roots
+}
+
+/// All real roots, sorted; of a root of even multiplicity none or a pair.
+pub fn real_roots<const N: usize>(c: &[f64; N]) -> Roots<N> {
+    roots_in(c, f64::NEG_INFINITY, f64::INFINITY)
+}
+
+/// The roots in `lo..=hi`, sorted. Either end may be infinite.
+pub fn roots_in<const N: usize>(c: &[f64; N], lo: f64, hi: f64) -> Roots<N> {
+    let n = degree(c);
+    if n == 0 || !c.iter().all(|x| x.is_finite()) {
+        return Roots::NONE;
+    }
+    let (lo, hi) = if lo.is_finite() && hi.is_finite() {
+        (lo, hi)
+    } else {
+        let bound = root_bound(&c[..=n]);
+        (lo.max(-bound), hi.min(bound))
+    };
+    if lo.is_nan() || hi.is_nan() || lo > hi {
+        return Roots::NONE;
+    }
+    solve(c, n, (lo, eval(&c[..=n], lo)), (hi, eval(&c[..=n], hi)))
+}
+
+/// The roots in `0..=1` of the polynomial whose Bernstein coefficients are `b`. The signs at the ends are those of the
+/// first and last coefficient, so that chained curves neither lose nor double a crossing at a joint.
+pub fn bernstein_roots<const N: usize>(b: &[f64; N]) -> Roots<N> {
+    let negative = b[0] < 0.0;
+    if b.iter().all(|&x| (x < 0.0) == negative) || !b.iter().all(|x| x.is_finite()) {
+        return Roots::NONE;
+    }
+    let c = power_from_bernstein(b);
+    match degree(&c) {
+        0 => Roots::NONE,
+        n => solve(&c, n, (0.0, b[0]), (1.0, b[N - 1])),
+    }
+}
+
+/// The coefficients in powers of t of a polynomial in Bernstein form over `0..=1`.
+pub fn power_from_bernstein<const N: usize>(b: &[f64; N]) -> [f64; N] {
+    let mut c = *b;
+    for k in 1..N {
+        for j in (k..N).rev() {
+            c[j] -= c[j - 1];
+        }
+    }
+    for (k, x) in c.iter_mut().enumerate() {
+        *x *= BINOMIAL[N - 1][k];
+    }
+    c
+}
+
+fn degree(c: &[f64]) -> usize {
+    c.iter().rposition(|&x| x != 0.0).unwrap_or(0)
+}
+
+/// No root is farther from 0 (Fujiwara's bound); cut at 1e30, where no scene reaches.
+fn root_bound(c: &[f64]) -> f64 {
+    let n = c.len() - 1;
+    let term = |k: usize| (c[n - k] / c[n]).abs().powf(1.0 / k as f64);
+    let bound = 2.0 * (1..=n).map(term).fold(0.0, f64::max);
+    (bound * (1.0 + 1e-12) + f64::MIN_POSITIVE).min(1e30)
+}
+
+/// `C(n, k)` for the derivatives.
+const BINOMIAL: [[f64; MAX_DEGREE + 1]; MAX_DEGREE + 1] = {
+    let mut table = [[0.0; MAX_DEGREE + 1]; MAX_DEGREE + 1];
+    let mut n = 0;
+    while n <= MAX_DEGREE {
+        table[n][0] = 1.0;
+        let mut k = 1;
+        while k <= n {
+            table[n][k] = table[n - 1][k - 1] + table[n - 1][k];
+            k += 1;
+        }
+        n += 1;
+    }
+    table
+};
+
+/// The `k`-th derivative divided by `k!`.
+#[inline]
+fn derivative<const N: usize>(c: &[f64; N], n: usize, k: usize) -> [f64; N] {
+    let mut d = [0.0; N];
+    for j in k..=n {
+        d[j - k] = BINOMIAL[j][k] * c[j];
+    }
+    d
+}
+
+/// The chain from the quadratic derivative up to the polynomial itself, on the interval between two samples.
+fn solve<const N: usize>(c: &[f64; N], n: usize, lo: (f64, f64), hi: (f64, f64)) -> Roots<N> {
+    if n <= 2 {
+        return low_degree(c, n, lo, hi);
+    }
+    let top = derivative(c, n, n - 2);
+    let mut knots = Roots::NONE;
+    for &x in quadratic([top[0], top[1], top[2]]).iter().filter(|&&x| lo.0 < x && x < hi.0) {
+        knots.push(x);
+    }
+    for k in (1..=n - 3).rev() {
+        let q = derivative(c, n, k);
+        let q = &q[..=n - k];
+        knots = crossings(q, &knots, (lo.0, eval(q, lo.0)), (hi.0, eval(q, hi.0)), 1e-10);
+    }
+    crossings(&c[..=n], &knots, lo, hi, 1e-15)
+}
+
+/// Degree 1 and 2; the vertex is the only critical point.
+fn low_degree<const N: usize>(c: &[f64; N], n: usize, lo: (f64, f64), hi: (f64, f64)) -> Roots<N> {
+    let mut knots = Roots::NONE;
+    if n == 2 {
+        let vertex = -0.5 * c[1] / c[2];
+        if lo.0 < vertex && vertex < hi.0 {
+            knots.push(vertex);
+        }
+    }
+    crossings(&c[..=n], &knots, lo, hi, 1e-15)
+}
+
+/// One root in each gap between neighbouring knots at which the signs differ.
+fn crossings<const N: usize>(
+    c: &[f64],
+    knots: &Roots<N>,
+    lo: (f64, f64),
+    hi: (f64, f64),
+    tolerance: f64,
+) -> Roots<N> {
+    let mut roots = Roots::NONE;
+    let mut left = lo;
+    for i in 0..=knots.len {
+        let right = if i < knots.len { (knots.values[i], eval(c, knots.values[i])) } else { hi };
+        if (left.1 < 0.0) != (right.1 < 0.0) {
+            roots.push(refine(c, left, right, tolerance));
+        }
+        left = right;
+    }
+    roots
+}
+
+/// Newton's method kept inside a shrinking bracket.
+fn refine(c: &[f64], left: (f64, f64), right: (f64, f64), tolerance: f64) -> f64 {
+    let (mut lo, mut hi) = (left.0, right.0);
+    let rising = left.1 < 0.0;
+    let floor = (hi - lo) * 1e-18;
+    let mut x = 0.5 * (lo + hi);
+    for _ in 0..300 {
+        let (v, slope) = eval_with_slope(c, x);
+        if v == 0.0 {
+            return x;
+        }
+        if (v < 0.0) == rising {
+            lo = x;
+        } else {
+            hi = x;
+        }
+        let newton = x - v / slope;
+        let next = if newton > lo && newton < hi { newton } else { 0.5 * (lo + hi) };
+        if (next - x).abs() <= tolerance * next.abs() + floor {
+            return next;
+        }
+        x = next;
+    }
+    x
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    /// The coefficients of the product of `t - r`.
+    fn from_roots<const N: usize>(roots: &[f64]) -> [f64; N] {
+        let mut c = [0.0; N];
+        c[0] = 1.0;
+        for (n, r) in roots.iter().enumerate() {
+            for k in (0..=n + 1).rev() {
+                c[k] = if k > 0 { c[k - 1] } else { 0.0 } - r * c[k];
+            }
+        }
+        c
+    }
+
+    fn near(found: &[f64], expected: &[f64], tolerance: f64) {
+        assert_eq!(found.len(), expected.len(), "{found:?} for {expected:?}");
+        for (a, b) in found.iter().zip(expected) {
+            assert!((a - b).abs() <= tolerance * b.abs().max(1.0), "{found:?} for {expected:?}");
+        }
+    }
+
+    /// A value in twice the precision: the unevaluated sum of two doubles (Dekker; products by fused multiply-add).
+    fn eval_double_double(c: &[f64], x: f64) -> f64 {
+        let two_sum = |a: f64, b: f64| {
+            let s = a + b;
+            let t = s - a;
+            (s, (a - (s - t)) + (b - t))
+        };
+        let (mut hi, mut lo) = (0.0, 0.0);
+        for &k in c.iter().rev() {
+            let p = hi * x;
+            let e = f64::mul_add(hi, x, -p) + lo * x;
+            let (s, e2) = two_sum(p, k);
+            (hi, lo) = two_sum(s, e + e2);
+        }
+        hi + lo
+    }
+
+    #[test]
+    fn quadratics_do_not_cancel() {
+        near(&quadratic([1.0, -1e8, 1.0]), &[1e-8, 1e8], 1e-15);
+        near(&quadratic([-4.0, 2.0, 0.0]), &[2.0], 0.0);
+        near(&quadratic([1.0, 2.0, 1.0]), &[-1.0], 0.0);
+        near(&quadratic([0.0, 0.0, 3.0]), &[0.0], 0.0);
+        assert!(quadratic([1.0, 0.0, 1.0]).is_empty());
+        assert!(quadratic([f64::NAN, 1.0, 1.0]).is_empty());
+    }
+
+    #[test]
+    fn integer_roots_come_back_exactly_sorted() {
+        near(&real_roots(&from_roots::<4>(&[3.0, -1.0, 2.0])), &[-1.0, 2.0, 3.0], 1e-14);
+        near(&real_roots(&from_roots::<5>(&[5.0, -7.0, 1.0, 2.0])), &[-7.0, 1.0, 2.0, 5.0], 1e-14);
+        let wilkinson: Vec<f64> = (1..=10).map(f64::from).collect();
+        near(&real_roots(&from_roots::<11>(&wilkinson)), &wilkinson, 1e-8);
+        near(&roots_in(&from_roots::<5>(&[5.0, -7.0, 1.0, 2.0]), 0.0, 4.0), &[1.0, 2.0], 1e-14);
+    }
+
+    #[test]
+    fn degree_thirty_five_finds_the_cosine_nodes() {
+        // The Chebyshev polynomial of degree 35: all roots known, coefficients exact integers below 2^53 only in part.
+        let (mut a, mut b) = ([0.0; 36], [0.0; 36]);
+        a[0] = 1.0;
+        b[1] = 1.0;
+        for _ in 2..=35 {
+            let mut c = [0.0; 36];
+            for k in 0..36 {
+                c[k] = if k > 0 { 2.0 * b[k - 1] } else { 0.0 } - a[k];
+            }
+            (a, b) = (b, c);
+        }
+        let found = roots_in(&b, -0.5, 0.5);
+        let node = |k: i32| ((f64::from(k) - 0.5) * std::f64::consts::PI / 35.0).cos();
+        let expected: Vec<f64> = (1..=35).rev().map(node).filter(|x| x.abs() < 0.5).collect();
+        near(&found, &expected, 1e-8);
+    }
+
+    #[test]
+    fn grazing_pairs_come_together() {
+        for k in 0..60 {
+            let gap = 10f64.powi(-k / 4) * 1.7;
+            let c = from_roots::<5>(&[-3.0, 2.0 - gap, 2.0 + gap, 9.0]);
+            let n = roots_in(&c, 0.0, 5.0).len();
+            assert!(n == 2 || n == 0, "{n} roots at gap {gap}");
+            assert!(n == 2 || gap < 1e-7, "pair lost at gap {gap}");
+        }
+    }
+
+    #[test]
+    fn huge_and_tiny_scales() {
+        near(&real_roots(&from_roots::<5>(&[1e6, -1e6, 2.5e6, 3e6])), &[-1e6, 1e6, 2.5e6, 3e6], 1e-13);
+        let tiny = real_roots(&from_roots::<5>(&[1e-6, -1e-6, 2.5e-6, 3e-6]));
+        assert_eq!(tiny.len(), 4);
+        assert!((tiny[3] / 3e-6 - 1.0).abs() < 1e-12);
+        near(&real_roots(&[-8.0, 0.0, 0.0, 1.0, 1e-200, 0.0]), &[2.0], 1e-14);
+        assert!(real_roots(&[0.0; 5]).is_empty());
+        assert!(roots_in(&[1.0, f64::INFINITY, 1.0], 0.0, 1.0).is_empty());
+    }
+
+    #[test]
+    fn bernstein_form_agrees_with_powers() {
+        let b = [1.0, -2.0, 0.5, -1.0];
+        let c = power_from_bernstein(&b);
+        near(&c, &[1.0, -9.0, 16.5, -9.5], 1e-14);
+        near(&bernstein_roots(&b), &roots_in(&c, 0.0, 1.0), 1e-14);
+        assert!(bernstein_roots(&[1.0, 2.0, 0.5, 0.1]).is_empty());
+    }
+
+    proptest! {
+        #[test]
+        fn roots_are_roots_to_the_last_digits(c in prop::array::uniform7(-10.0..10.0f64)) {
+            for &r in real_roots(&c).iter() {
+                let magnitude: f64 = c.iter().enumerate().map(|(k, x)| (x * r.powi(k as i32)).abs()).sum();
+                prop_assert!(eval_double_double(&c, r).abs() <= 4e-15 * magnitude);
+            }
+        }
+
+        #[test]
+        fn none_is_lost(mut r in prop::array::uniform6(-5.0..5.0f64)) {
+            r.sort_by(f64::total_cmp);
+            prop_assume!(r.windows(2).all(|w| w[1] - w[0] > 0.05));
+            let found = real_roots(&from_roots::<7>(&r));
+            prop_assert_eq!(found.len(), 6);
+            for (a, b) in found.iter().zip(&r) {
+                prop_assert!((a - b).abs() < 1e-6);
+            }
+        }
+    }
+}
