@@ -224,7 +224,7 @@ fn crossings<const N: usize>(
 fn refine(c: &[f64], left: (f64, f64), right: (f64, f64), tolerance: f64) -> f64 {
     let (mut lo, mut hi) = (left.0, right.0);
     let rising = left.1 < 0.0;
-    let floor = (hi - lo) * 1e-18;
+    let floor = (hi - lo) * 1e-40;
     let mut x = 0.5 * (lo + hi);
     for _ in 0..300 {
         let (v, slope) = eval_with_slope(c, x);
