@@ -5,6 +5,7 @@
 #![warn(missing_docs)]
 
 mod aabb;
+pub mod noise;
 pub mod poly;
 mod ray;
 pub mod transform;

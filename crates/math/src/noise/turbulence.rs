@@ -1,0 +1,39 @@
+//! Sums of noise over octaves (textures spec, section 1.5).
+use super::{clamp01, dnoise, noise};
+use crate::Vec3;
+
+/// Octaves outside this range are clipped to it.
+fn octaves_in_range(octaves: u32) -> u32 {
+    octaves.clamp(1, 10)
+}
+
+/// Scalar turbulence: `octaves` (1 to 10) of noise, each `lambda` times finer and `omega` times weaker than the one
+/// before. Not normalised. `omega` and `lambda` are single precision because the language keeps them so.
+pub fn turbulence(generator: u8, p: Vec3, octaves: u32, omega: f32, lambda: f32) -> f64 {
+    let octave = |q: Vec3| {
+        let n = noise(generator, q);
+        if generator == 1 { n } else { 2.0 * n - 0.5 }
+    };
+    let (omega, lambda) = (f64::from(omega), f64::from(lambda));
+    let mut sum = clamp01(octave(p));
+    let (mut weight, mut scale) = (omega, lambda);
+    for _ in 1..octaves_in_range(octaves) {
+        sum += weight * octave(p * scale);
+        weight *= omega;
+        scale *= lambda;
+    }
+    sum
+}
+
+/// Vector turbulence: octaves of [`dnoise`] summed in the same way.
+pub fn dturbulence(p: Vec3, octaves: u32, omega: f32, lambda: f32) -> Vec3 {
+    let (omega, lambda) = (f64::from(omega), f64::from(lambda));
+    let mut sum = dnoise(p);
+    let (mut weight, mut scale) = (omega, lambda);
+    for _ in 1..octaves_in_range(octaves) {
+        sum += dnoise(p * scale) * weight;
+        weight *= omega;
+        scale *= lambda;
+    }
+    sum
+}
