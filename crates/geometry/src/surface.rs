@@ -14,11 +14,23 @@ pub struct LocalHit {
     pub v: f64,
 }
 
+impl LocalHit {
+    /// A hit of a shape that needs no words of its own.
+    pub fn at(t: f64) -> Self {
+        LocalHit { t, ..LocalHit::default() }
+    }
+}
+
 /// A shape, ready to be hit. Rays come in the shape's own coordinates with a direction of unit length; distances are
 /// in those coordinates.
 pub trait Surface: Send + Sync {
-    /// A box around it, infinite where it has no bounds.
+    /// A box around its surface, infinite where it has no bounds.
     fn bounds(&self) -> Aabb;
+    /// A box around its inside, where that is not the box of the surface (half spaces behind a disc, the ground under
+    /// a height field).
+    fn inside_bounds(&self) -> Aabb {
+        self.bounds()
+    }
     /// Appends every hit with `range.0 < t < range.1`, in any order. Solids report entry and exit.
     fn hits(&self, ray: &Ray, range: (f64, f64), out: &mut Vec<LocalHit>);
     /// The nearest of [`Surface::hits`].

@@ -6,7 +6,7 @@ use raggio_math::{Aabb, Vec3};
 use raggio_scene::{Object, Pattern, Pigment, Settings};
 
 /// Questions that a running scene puts to the engine. Answers must not depend on anything but the arguments.
-pub trait Engine {
+pub trait Engine: Sync {
     /// `trace`: the first hit of the ray with the object, and the raw unit normal there. `dir` is of unit length.
     fn trace(&self, object: &Arc<Object>, origin: Vec3, dir: Vec3) -> Option<(Vec3, Vec3)>;
     /// `inside`; `None` where the object has no inside at all.
@@ -20,7 +20,7 @@ pub trait Engine {
 }
 
 /// The files that a scene reads and writes.
-pub trait Files {
+pub trait Files: Sync {
     /// The bytes of a file, looked up as given and then in the library folders and the embedded library; with the name
     /// under which it was found. `names` are tried in order, each in every place.
     fn find(&self, names: &[String]) -> Option<(String, Vec<u8>)>;

@@ -36,7 +36,7 @@ pub enum Value {
     TextureMap(Arc<scene::Map<scene::Texture>>),
     DensityMap(Arc<scene::Map<scene::Density>>),
     SlopeMap(Arc<Vec<(f32, f32, f32)>>),
-    Transform(Affine),
+    Transform(Box<Affine>),
     Camera(Arc<scene::Camera>),
     Fog(Arc<scene::Fog>),
     Rainbow(Arc<scene::Rainbow>),

@@ -2,8 +2,11 @@
 //!
 //! This file fixes what the grammar may ask of the parser. `peek` and `next` deliver a stream in which directives have
 //! been executed, macros expanded, and declared identifiers (with their subscripts) replaced by their values.
+mod builder;
+
 use std::sync::Arc;
 
+pub use builder::SceneBuilder;
 use raggio_diag::{Diagnostic, Span};
 use raggio_math::{Affine, Vec2, Vec3};
 use raggio_scene::{Bitmap, Color, Settings};
@@ -44,6 +47,8 @@ pub enum Tok {
 pub struct Parser<'a> {
     /// Settings so far, `version` among them; the grammar of `global_settings` writes them.
     pub settings: Settings,
+    /// What the statements have added so far.
+    pub scene: SceneBuilder,
     _engine: &'a dyn crate::Engine,
 }
 

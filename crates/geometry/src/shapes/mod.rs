@@ -1,0 +1,100 @@
+//! Every kind of shape, one file each; registered here once.
+mod plane;
+mod sphere;
+
+use raggio_math::{Aabb, Ray, Vec2, Vec3};
+use raggio_scene::Shape;
+
+use crate::{BuildError, LocalHit, Surface};
+
+pub(crate) use plane::Plane;
+pub(crate) use sphere::Sphere;
+
+/// Makes the closed enum over all kinds and forwards every question to the kind at hand, without virtual calls.
+macro_rules! shape_kinds {
+    ($($kind:ident($type:ty),)*) => {
+        /// A shape of any kind, ready to be hit.
+        pub(crate) enum ShapeKind {
+            $($kind($type),)*
+        }
+
+        impl Surface for ShapeKind {
+            fn bounds(&self) -> Aabb {
+                match self { $(ShapeKind::$kind(s) => s.bounds(),)* }
+            }
+            fn inside_bounds(&self) -> Aabb {
+                match self { $(ShapeKind::$kind(s) => s.inside_bounds(),)* }
+            }
+            fn hits(&self, ray: &Ray, range: (f64, f64), out: &mut Vec<LocalHit>) {
+                match self { $(ShapeKind::$kind(s) => s.hits(ray, range, out),)* }
+            }
+            fn closest(&self, ray: &Ray, range: (f64, f64)) -> Option<LocalHit> {
+                match self { $(ShapeKind::$kind(s) => s.closest(ray, range),)* }
+            }
+            fn inside(&self, p: Vec3) -> bool {
+                match self { $(ShapeKind::$kind(s) => s.inside(p),)* }
+            }
+            fn is_solid(&self) -> bool {
+                match self { $(ShapeKind::$kind(s) => s.is_solid(),)* }
+            }
+            fn normal(&self, p: Vec3, hit: &LocalHit) -> Vec3 {
+                match self { $(ShapeKind::$kind(s) => s.normal(p, hit),)* }
+            }
+            fn uv(&self, p: Vec3, hit: &LocalHit) -> Option<Vec2> {
+                match self { $(ShapeKind::$kind(s) => s.uv(p, hit),)* }
+            }
+        }
+    };
+}
+
+// Kinds with more than some 200 bytes of their own belong in a `Box`, so that small ones stay small.
+shape_kinds! {
+    Plane(Plane),
+    Sphere(Sphere),
+}
+
+/// Makes a shape ready. Shapes that cannot be hit at all (no radius, no area) are valid and simply never hit.
+pub(crate) fn build(shape: &Shape) -> Result<ShapeKind, BuildError> {
+    Ok(match shape {
+        Shape::Sphere { center, radius } => ShapeKind::Sphere(Sphere::new(*center, *radius)),
+        Shape::Plane { normal, distance } => ShapeKind::Plane(Plane::new(*normal, *distance)),
+        Shape::Box { .. } => return Err(BuildError::Unsupported("box")),
+        Shape::Cylinder { .. } => return Err(BuildError::Unsupported("cylinder")),
+        Shape::Cone { .. } => return Err(BuildError::Unsupported("cone")),
+        Shape::Disc { .. } => return Err(BuildError::Unsupported("disc")),
+        Shape::Quadric(_) => return Err(BuildError::Unsupported("quadric")),
+        Shape::Triangle { .. } => return Err(BuildError::Unsupported("triangle")),
+        Shape::SmoothTriangle { .. } => return Err(BuildError::Unsupported("smooth_triangle")),
+        Shape::Polygon { .. } => return Err(BuildError::Unsupported("polygon")),
+        Shape::Mesh(_) => return Err(BuildError::Unsupported("mesh")),
+        Shape::Torus { .. } => return Err(BuildError::Unsupported("torus")),
+        Shape::Poly { .. } => return Err(BuildError::Unsupported("poly")),
+        Shape::Superellipsoid { .. } => return Err(BuildError::Unsupported("superellipsoid")),
+        Shape::Ovus { .. } => return Err(BuildError::Unsupported("ovus")),
+        Shape::BicubicPatch { .. } => return Err(BuildError::Unsupported("bicubic_patch")),
+        Shape::HeightField(_) => return Err(BuildError::Unsupported("height_field")),
+        Shape::Blob(_) => return Err(BuildError::Unsupported("blob")),
+        Shape::Julia(_) => return Err(BuildError::Unsupported("julia_fractal")),
+        Shape::Lathe { .. } => return Err(BuildError::Unsupported("lathe")),
+        Shape::Sor { .. } => return Err(BuildError::Unsupported("sor")),
+        Shape::Prism(_) => return Err(BuildError::Unsupported("prism")),
+        Shape::SphereSweep { .. } => return Err(BuildError::Unsupported("sphere_sweep")),
+        Shape::Text { .. } => return Err(BuildError::Unsupported("text")),
+        Shape::Isosurface(_) => return Err(BuildError::Unsupported("isosurface")),
+        Shape::Parametric(_) => return Err(BuildError::Unsupported("parametric")),
+    })
+}
+
+/// The part of `range` that a shape may report: beyond its own least distance.
+#[inline]
+pub(crate) fn beyond(range: (f64, f64), least: f64) -> (f64, f64) {
+    (range.0.max(least), range.1)
+}
+
+/// The turn about y of a point, as a share of a full turn in 0..1; 0 on the axis (shapes spec, section 1.5).
+pub(crate) fn turn(x: f64, z: f64) -> f64 {
+    if x * x + z * z <= raggio_math::EPS {
+        return 0.0;
+    }
+    (z.atan2(x) / std::f64::consts::TAU).rem_euclid(1.0)
+}

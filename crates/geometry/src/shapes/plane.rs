@@ -1,0 +1,50 @@
+//! The plane.
+use raggio_math::{Aabb, EPS, Ray, Vec3};
+
+use super::beyond;
+use crate::{LocalHit, Surface};
+
+/// The least distance a plane reports.
+const LEAST: f64 = 1e-6;
+
+/// Points with `normal . p < distance` are inside; `normal` is of unit length.
+#[derive(Clone, Copy)]
+pub(crate) struct Plane {
+    normal: Vec3,
+    distance: f64,
+}
+
+impl Plane {
+    pub(crate) fn new(normal: Vec3, distance: f64) -> Self {
+        Plane { normal, distance }
+    }
+}
+
+impl Surface for Plane {
+    fn bounds(&self) -> Aabb {
+        Aabb::INFINITE
+    }
+
+    fn hits(&self, ray: &Ray, range: (f64, f64), out: &mut Vec<LocalHit>) {
+        out.extend(self.closest(ray, range));
+    }
+
+    #[inline]
+    fn closest(&self, ray: &Ray, range: (f64, f64)) -> Option<LocalHit> {
+        let (lo, hi) = beyond(range, LEAST);
+        let slope = self.normal.dot(ray.dir);
+        if slope.abs() < EPS {
+            return None;
+        }
+        let t = (self.distance - self.normal.dot(ray.origin)) / slope;
+        (t > lo && t < hi).then(|| LocalHit::at(t))
+    }
+
+    fn inside(&self, p: Vec3) -> bool {
+        self.normal.dot(p) - self.distance < EPS
+    }
+
+    fn normal(&self, _: Vec3, _: &LocalHit) -> Vec3 {
+        self.normal
+    }
+}

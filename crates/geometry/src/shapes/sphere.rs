@@ -1,0 +1,70 @@
+//! The sphere, and its form in the world for uniformly scaled placements.
+use raggio_math::{Aabb, EPS, Ray, Vec2, Vec3};
+
+use super::{beyond, turn};
+use crate::{LocalHit, Surface};
+
+/// The least distance a sphere reports.
+pub(crate) const LEAST: f64 = 1e-6;
+
+/// `sphere { center, radius }`; a negative radius turns the normal inwards.
+#[derive(Clone, Copy)]
+pub(crate) struct Sphere {
+    center: Vec3,
+    radius: f64,
+}
+
+impl Sphere {
+    pub(crate) fn new(center: Vec3, radius: f64) -> Self {
+        Sphere { center, radius }
+    }
+
+    /// The parameters of entry and exit, if the chord is long enough to count.
+    #[inline]
+    pub(crate) fn chord(&self, ray: &Ray) -> Option<(f64, f64)> {
+        let to_center = self.center - ray.origin;
+        let middle = to_center.dot(ray.dir);
+        // Distance of the centre from the line by rejection: no cancellation for far origins.
+        let offset2 = (to_center - ray.dir * middle).length_squared();
+        let half2 = self.radius * self.radius - offset2;
+        if half2 > EPS {
+            let half = half2.sqrt();
+            return Some((middle - half, middle + half));
+        }
+        None
+    }
+}
+
+impl Surface for Sphere {
+    fn bounds(&self) -> Aabb {
+        Aabb { min: self.center, max: self.center }.grown(self.radius.abs())
+    }
+
+    fn hits(&self, ray: &Ray, range: (f64, f64), out: &mut Vec<LocalHit>) {
+        let (lo, hi) = beyond(range, LEAST);
+        if let Some((a, b)) = self.chord(ray) {
+            out.extend([a, b].iter().filter(|t| **t > lo && **t < hi).map(|&t| LocalHit::at(t)));
+        }
+    }
+
+    #[inline]
+    fn closest(&self, ray: &Ray, range: (f64, f64)) -> Option<LocalHit> {
+        let (lo, hi) = beyond(range, LEAST);
+        let (a, b) = self.chord(ray)?;
+        let t = if a > lo { a } else { b };
+        (t > lo && t < hi).then(|| LocalHit::at(t))
+    }
+
+    fn inside(&self, p: Vec3) -> bool {
+        (p - self.center).length_squared() < self.radius * self.radius
+    }
+
+    fn normal(&self, p: Vec3, _: &LocalHit) -> Vec3 {
+        (p - self.center) / self.radius
+    }
+
+    fn uv(&self, p: Vec3, _: &LocalHit) -> Option<Vec2> {
+        let q = (p - self.center).normalize_or_zero();
+        Some(Vec2::new(turn(q.x, q.z), 0.5 + q.y.clamp(-1.0, 1.0).asin() / std::f64::consts::PI))
+    }
+}
