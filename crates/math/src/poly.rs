@@ -104,6 +104,16 @@ pub fn roots_in<const N: usize>(c: &[f64; N], lo: f64, hi: f64) -> Roots<N> {
     solve(c, n, (lo, eval(&c[..=n], lo)), (hi, eval(&c[..=n], hi)))
 }
 
+/// The roots in `0..=1`, where the values at the ends are known better than the coefficients tell: pieces of a curve
+/// that share an end then agree about its side.
+pub fn roots_in_unit<const N: usize>(c: &[f64; N], at_zero: f64, at_one: f64) -> Roots<N> {
+    match degree(c) {
+        0 => Roots::NONE,
+        _ if !c.iter().all(|x| x.is_finite()) => Roots::NONE,
+        n => solve(c, n, (0.0, at_zero), (1.0, at_one)),
+    }
+}
+
 /// The roots in `0..=1` of the polynomial whose Bernstein coefficients are `b`. The signs at the ends are those of the
 /// first and last coefficient, so that chained curves neither lose nor double a crossing at a joint.
 pub fn bernstein_roots<const N: usize>(b: &[f64; N]) -> Roots<N> {
@@ -111,11 +121,7 @@ pub fn bernstein_roots<const N: usize>(b: &[f64; N]) -> Roots<N> {
     if b.iter().all(|&x| (x < 0.0) == negative) || !b.iter().all(|x| x.is_finite()) {
         return Roots::NONE;
     }
-    let c = power_from_bernstein(b);
-    match degree(&c) {
-        0 => Roots::NONE,
-        n => solve(&c, n, (0.0, b[0]), (1.0, b[N - 1])),
-    }
+    roots_in_unit(&power_from_bernstein(b), b[0], b[N - 1])
 }
 
 /// The coefficients in powers of t of a polynomial in Bernstein form over `0..=1`.

@@ -17,7 +17,7 @@ const TOLERANCE: f64 = 1e-6;
 
 /// A blob, ready to be hit.
 #[derive(Clone, Debug)]
-pub struct Blob {
+pub(crate) struct Blob {
     threshold: f64,
     elements: Vec<Element>,
     tree: Tree,
@@ -134,7 +134,7 @@ impl Span {
 
 impl Blob {
     /// A blob of the given components.
-    pub fn new(blob: &raggio_scene::Blob) -> Self {
+    pub(crate) fn new(blob: &raggio_scene::Blob) -> Self {
         let elements: Vec<_> = blob.components.iter().map(Element::new).collect();
         let boxes: Vec<_> = elements.iter().map(Element::bounds).collect();
         Blob { threshold: blob.threshold, elements, tree: Tree::new(&boxes) }
@@ -184,13 +184,13 @@ impl Blob {
             span.add_to(a, b, &mut sum);
         }
         for &s in poly::bernstein_roots(&sum).iter() {
-            to.push(LocalHit { t: a + s * (b - a), ..LocalHit::default() });
+            to.push(LocalHit::at(a + s * (b - a)));
         }
     }
 
     /// The share of each component in the field at a point: its index and its weight; the weights sum to 1. Empty where
     /// no component reaches.
-    pub fn weights(&self, p: Vec3, out: &mut SmallVec<[(u32, f32); 4]>) {
+    pub(crate) fn weights(&self, p: Vec3, out: &mut SmallVec<[(u32, f32); 4]>) {
         out.clear();
         let mut total = 0.0;
         self.tree.visit_point(p, |i| {

@@ -65,11 +65,11 @@ impl Collect for Nearest {
 macro_rules! searched_from {
     ($least:expr) => {
         fn hits(&self, ray: &raggio_math::Ray, range: (f64, f64), out: &mut Vec<crate::LocalHit>) {
-            let range = (range.0.max($least), range.1);
+            let range = crate::shapes::beyond(range, $least);
             self.search(ray, &mut crate::shapes::collect::All { range, out });
         }
         fn closest(&self, ray: &raggio_math::Ray, range: (f64, f64)) -> Option<crate::LocalHit> {
-            let mut nearest = crate::shapes::collect::Nearest::new((range.0.max($least), range.1));
+            let mut nearest = crate::shapes::collect::Nearest::new(crate::shapes::beyond(range, $least));
             self.search(ray, &mut nearest);
             nearest.best()
         }

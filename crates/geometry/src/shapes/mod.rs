@@ -1,6 +1,21 @@
 //! Every kind of shape, one file each; registered here once.
+mod blob;
+mod collect;
+mod height_field;
+mod lathe;
+mod outline;
 mod plane;
+mod poly;
+mod prism;
+#[cfg(test)]
+mod recorded_tests;
+mod revolve;
+mod sor;
 mod sphere;
+mod superellipsoid;
+mod text;
+mod torus;
+mod tree;
 
 use raggio_math::{Aabb, Ray, Vec2, Vec3};
 use raggio_scene::Shape;
@@ -49,8 +64,17 @@ macro_rules! shape_kinds {
 
 // Kinds with more than some 200 bytes of their own belong in a `Box`, so that small ones stay small.
 shape_kinds! {
+    Blob(blob::Blob),
+    HeightField(Box<height_field::HeightField>),
+    Lathe(lathe::Lathe),
     Plane(Plane),
+    Poly(poly::Poly),
+    Prism(Box<prism::Prism>),
+    Sor(sor::Sor),
     Sphere(Sphere),
+    Superellipsoid(superellipsoid::Superellipsoid),
+    Text(text::Text),
+    Torus(torus::Torus),
 }
 
 /// Makes a shape ready. Shapes that cannot be hit at all (no radius, no area) are valid and simply never hit.
@@ -67,19 +91,19 @@ pub(crate) fn build(shape: &Shape) -> Result<ShapeKind, BuildError> {
         Shape::SmoothTriangle { .. } => return Err(BuildError::Unsupported("smooth_triangle")),
         Shape::Polygon { .. } => return Err(BuildError::Unsupported("polygon")),
         Shape::Mesh(_) => return Err(BuildError::Unsupported("mesh")),
-        Shape::Torus { .. } => return Err(BuildError::Unsupported("torus")),
-        Shape::Poly { .. } => return Err(BuildError::Unsupported("poly")),
-        Shape::Superellipsoid { .. } => return Err(BuildError::Unsupported("superellipsoid")),
+        Shape::Torus { major, minor } => ShapeKind::Torus(torus::Torus::new(*major, *minor)),
+        Shape::Poly { degree, coefficients } => ShapeKind::Poly(poly::Poly::new(*degree, coefficients.clone())),
+        Shape::Superellipsoid { e, n } => ShapeKind::Superellipsoid(superellipsoid::Superellipsoid::new(*e, *n)),
         Shape::Ovus { .. } => return Err(BuildError::Unsupported("ovus")),
         Shape::BicubicPatch { .. } => return Err(BuildError::Unsupported("bicubic_patch")),
-        Shape::HeightField(_) => return Err(BuildError::Unsupported("height_field")),
-        Shape::Blob(_) => return Err(BuildError::Unsupported("blob")),
+        Shape::HeightField(field) => ShapeKind::HeightField(Box::new(height_field::HeightField::new(field.clone()))),
+        Shape::Blob(blob) => ShapeKind::Blob(blob::Blob::new(blob)),
         Shape::Julia(_) => return Err(BuildError::Unsupported("julia_fractal")),
-        Shape::Lathe { .. } => return Err(BuildError::Unsupported("lathe")),
-        Shape::Sor { .. } => return Err(BuildError::Unsupported("sor")),
-        Shape::Prism(_) => return Err(BuildError::Unsupported("prism")),
+        Shape::Lathe { curves, .. } => ShapeKind::Lathe(lathe::Lathe::new(curves)),
+        Shape::Sor { points, open } => ShapeKind::Sor(sor::Sor::new(points, *open)),
+        Shape::Prism(prism) => ShapeKind::Prism(Box::new(prism::Prism::new(prism))),
         Shape::SphereSweep { .. } => return Err(BuildError::Unsupported("sphere_sweep")),
-        Shape::Text { .. } => return Err(BuildError::Unsupported("text")),
+        Shape::Text { glyphs, depth } => ShapeKind::Text(text::Text::new(glyphs, *depth)),
         Shape::Isosurface(_) => return Err(BuildError::Unsupported("isosurface")),
         Shape::Parametric(_) => return Err(BuildError::Unsupported("parametric")),
     })

@@ -12,7 +12,7 @@ const TOLERANCE: f64 = 1e-4;
 
 /// A polynomial surface.
 #[derive(Clone, Debug)]
-pub struct Poly {
+pub(crate) struct Poly {
     degree: usize,
     coefficients: Arc<[f64]>,
     /// The terms that are not zero, for the gradient.
@@ -68,7 +68,7 @@ impl<const N: usize> Along<N> {
 
 impl Poly {
     /// Coefficients as the language lists them: x exponents falling first, then y, then z.
-    pub fn new(degree: u8, coefficients: Arc<[f64]>) -> Self {
+    pub(crate) fn new(degree: u8, coefficients: Arc<[f64]>) -> Self {
         let degree = usize::from(degree);
         let mut terms = Vec::new();
         let mut next = coefficients.iter();
@@ -101,7 +101,7 @@ impl Poly {
         let along = self.along::<N>(&Ray::new(ray.at(shift), ray.dir));
         let (lo, hi) = to.range();
         for &t in poly::roots_in(&along, lo - shift, hi - shift).iter() {
-            to.push(LocalHit { t: shift + t, ..LocalHit::default() });
+            to.push(LocalHit::at(shift + t));
         }
     }
 

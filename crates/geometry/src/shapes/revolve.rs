@@ -1,21 +1,5 @@
 //! What the shapes around the y axis have in common.
-use std::f64::consts::{PI, TAU};
-
-use raggio_math::{Aabb, EPS, Ray, Vec3, poly};
-
-/// `(atan2(y, x) + pi) / 2 pi`, in 0..=1.
-pub(crate) fn turn(y: f64, x: f64) -> f64 {
-    (y.atan2(x) + PI) / TAU
-}
-
-/// The angle about the y axis as a share of a turn, in 0..1; 0 on the axis (shapes spec, section 1.5).
-pub(crate) fn theta(p: Vec3) -> f64 {
-    if p.x * p.x + p.z * p.z <= EPS {
-        return 0.0;
-    }
-    let share = p.z.atan2(p.x) / TAU;
-    if share < 0.0 { share + 1.0 } else { share }
-}
+use raggio_math::{Aabb, Ray, Vec3, poly};
 
 /// The part of `range` in which the ray is in the cylinder `y_range` by `radius` about the y axis.
 pub(crate) fn clip_to_barrel(

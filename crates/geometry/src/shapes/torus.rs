@@ -2,21 +2,21 @@
 use raggio_math::{Aabb, Ray, Vec2, Vec3, poly};
 
 use super::collect::{Collect, searched_from};
-use super::revolve::{clip_to_barrel, turn};
+use super::revolve::clip_to_barrel;
 use crate::{LocalHit, Surface};
 
 const LEAST: f64 = 1e-4;
 
 /// A torus: the tube of radius `minor` around a circle of radius `major`.
 #[derive(Clone, Copy, Debug)]
-pub struct Torus {
+pub(crate) struct Torus {
     major: f64,
     minor: f64,
 }
 
 impl Torus {
     /// A negative `minor` is never hit.
-    pub fn new(major: f64, minor: f64) -> Self {
+    pub(crate) fn new(major: f64, minor: f64) -> Self {
         Torus { major, minor }
     }
 
@@ -30,7 +30,7 @@ impl Torus {
         let middle = 0.5 * (lo + hi);
         let quartic = torus_quartic(&Ray::new(ray.at(middle), ray.dir), self.major, self.minor);
         for &t in poly::roots_in(&quartic, lo - middle, hi - middle).iter() {
-            to.push(LocalHit { t: middle + t, ..LocalHit::default() });
+            to.push(LocalHit::at(middle + t));
         }
     }
 }
@@ -49,6 +49,11 @@ pub(crate) fn torus_quartic(ray: &Ray, major: f64, minor: f64) -> [f64; 5] {
         2.0 * b,
         1.0,
     ]
+}
+
+/// `(atan2(y, x) + pi) / 2 pi`, in 0..=1.
+fn share(y: f64, x: f64) -> f64 {
+    (y.atan2(x) + std::f64::consts::PI) / std::f64::consts::TAU
 }
 
 impl Surface for Torus {
@@ -81,6 +86,6 @@ impl Surface for Torus {
 
     fn uv(&self, p: Vec3, _hit: &LocalHit) -> Option<Vec2> {
         let rho = p.x.hypot(p.z);
-        Some(Vec2::new(1.0 - turn(p.z, p.x), turn(p.y, rho - self.major)))
+        Some(Vec2::new(1.0 - share(p.z, p.x), share(p.y, rho - self.major)))
     }
 }
