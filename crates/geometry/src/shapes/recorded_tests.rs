@@ -414,9 +414,14 @@ fn lathe(name: &'static str) -> Subject {
 
 #[test]
 fn lathes() {
-    for name in ["lathe_linear", "lathe_quad", "lathe_cubic", "lathe_bezier"] {
+    for name in ["lathe_linear", "lathe_cubic", "lathe_bezier"] {
         lathe(name).agrees_with_the_record(5e-6, 2e-5);
     }
+    // POV-Ray misses quadratic lathes with exactly level rays.
+    let wrong = lathe("lathe_quad").differing_hits(1e-6, 1e-5);
+    let level_misses = wrong.iter().filter(|row| row.contains("1\", \"0\", \"0\", \"0\", \"\"")).count();
+    assert_eq!((wrong.len(), level_misses), (2, 2), "{wrong:?}");
+    assert!(lathe("lathe_quad").differing_insides().is_empty());
     lathe("lathe_linear").is_a_consistent_solid();
     lathe("lathe_linear").uv_agrees_with_the_record(3e-4);
     lathe("lathe_bezier").uv_agrees_with_the_record(3e-4);
