@@ -1,7 +1,15 @@
 //! A finished user function.
 use std::sync::Arc;
 
+use crate::compile::compile;
+use crate::program::Program;
 use crate::{Expr, External};
+
+/// The most parameters that a function may have.
+pub const MAX_PARAMS: usize = 56;
+
+/// The noise generator of scenes that name none.
+const DEFAULT_NOISE_GENERATOR: u8 = 2;
 
 /// A user function, ready to be evaluated from any thread.
 #[derive(Debug)]
@@ -12,14 +20,20 @@ pub struct Function {
 
 #[derive(Debug)]
 enum Body {
-    Expr(Expr),
+    Expr { expr: Expr, noise_generator: u8, program: Program },
     External(Arc<dyn External>),
 }
 
 impl Function {
-    /// A function of `params` parameters with the given body.
+    /// A function of `params` parameters with the given body. `internal(76)` uses noise generator 2.
     pub fn new(params: usize, body: Expr) -> Self {
-        Function { params, body: Body::Expr(body) }
+        Function::with_noise_generator(params, body, DEFAULT_NOISE_GENERATOR)
+    }
+
+    /// The same for scenes that choose another noise generator, 1 to 3.
+    pub fn with_noise_generator(params: usize, expr: Expr, noise_generator: u8) -> Self {
+        let program = compile(params, &expr, noise_generator);
+        Function { params, body: Body::Expr { expr, noise_generator, program } }
     }
 
     /// A function that is a pigment, pattern, transform or spline.
@@ -35,7 +49,7 @@ impl Function {
     /// How many components the value has: 1 for expressions, up to 5 for pigments and splines.
     pub fn components(&self) -> usize {
         match &self.body {
-            Body::Expr(_) => 1,
+            Body::Expr { .. } => 1,
             Body::External(e) => e.components(),
         }
     }
@@ -43,8 +57,43 @@ impl Function {
     /// The external that this function is, if it is one.
     pub fn as_external(&self) -> Option<&Arc<dyn External>> {
         match &self.body {
-            Body::Expr(_) => None,
+            Body::Expr { .. } => None,
             Body::External(e) => Some(e),
+        }
+    }
+
+    /// The expression that this function is, if it is one.
+    pub fn as_expr(&self) -> Option<&Expr> {
+        match &self.body {
+            Body::Expr { expr, .. } => Some(expr),
+            Body::External(_) => None,
+        }
+    }
+
+    /// The value, or its first component. Missing arguments read 0, surplus ones are ignored.
+    #[inline]
+    pub fn eval(&self, args: &[f64]) -> f64 {
+        match &self.body {
+            Body::Expr { program, .. } => program.run(args),
+            Body::External(e) => e.eval(args)[0],
+        }
+    }
+
+    /// All components of the value; those beyond [`Function::components`] are 0.
+    pub fn eval5(&self, args: &[f64]) -> [f64; 5] {
+        match &self.body {
+            Body::Expr { program, .. } => [program.run(args), 0.0, 0.0, 0.0, 0.0],
+            Body::External(e) => e.eval(args),
+        }
+    }
+
+    /// What the compiler needs to open a call of this function in place: its body and generator, if it is short.
+    pub(crate) fn inlinable(&self, most_ops: usize) -> Option<(&Expr, u8)> {
+        match &self.body {
+            Body::Expr { expr, noise_generator, program } if program.len() <= most_ops => {
+                Some((expr, *noise_generator))
+            }
+            _ => None,
         }
     }
 }
