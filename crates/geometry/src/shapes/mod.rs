@@ -1,9 +1,12 @@
 //! Every kind of shape, one file each; registered here once.
 mod blob;
 mod collect;
+mod container;
 mod height_field;
+mod isosurface;
 mod lathe;
 mod outline;
+mod ovus;
 mod plane;
 mod poly;
 mod prism;
@@ -66,7 +69,9 @@ macro_rules! shape_kinds {
 shape_kinds! {
     Blob(blob::Blob),
     HeightField(Box<height_field::HeightField>),
+    Isosurface(Box<isosurface::Isosurface>),
     Lathe(lathe::Lathe),
+    Ovus(ovus::Ovus),
     Plane(Plane),
     Poly(poly::Poly),
     Prism(Box<prism::Prism>),
@@ -94,7 +99,7 @@ pub(crate) fn build(shape: &Shape) -> Result<ShapeKind, BuildError> {
         Shape::Torus { major, minor } => ShapeKind::Torus(torus::Torus::new(*major, *minor)),
         Shape::Poly { degree, coefficients } => ShapeKind::Poly(poly::Poly::new(*degree, coefficients.clone())),
         Shape::Superellipsoid { e, n } => ShapeKind::Superellipsoid(superellipsoid::Superellipsoid::new(*e, *n)),
-        Shape::Ovus { .. } => return Err(BuildError::Unsupported("ovus")),
+        Shape::Ovus { bottom, top } => ShapeKind::Ovus(ovus::Ovus::new(*bottom, *top)),
         Shape::BicubicPatch { .. } => return Err(BuildError::Unsupported("bicubic_patch")),
         Shape::HeightField(field) => ShapeKind::HeightField(Box::new(height_field::HeightField::new(field.clone()))),
         Shape::Blob(blob) => ShapeKind::Blob(blob::Blob::new(blob)),
@@ -104,7 +109,7 @@ pub(crate) fn build(shape: &Shape) -> Result<ShapeKind, BuildError> {
         Shape::Prism(prism) => ShapeKind::Prism(Box::new(prism::Prism::new(prism))),
         Shape::SphereSweep { .. } => return Err(BuildError::Unsupported("sphere_sweep")),
         Shape::Text { glyphs, depth } => ShapeKind::Text(text::Text::new(glyphs, *depth)),
-        Shape::Isosurface(_) => return Err(BuildError::Unsupported("isosurface")),
+        Shape::Isosurface(iso) => ShapeKind::Isosurface(Box::new(isosurface::Isosurface::new(iso))),
         Shape::Parametric(_) => return Err(BuildError::Unsupported("parametric")),
     })
 }

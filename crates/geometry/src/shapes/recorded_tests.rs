@@ -3,7 +3,8 @@
 use std::sync::Arc;
 
 use raggio_math::{Affine, MIN_HIT, Ray, Vec2, Vec3, transform};
-use raggio_scene::{BlobComponent, BlobShape, Curve2, CurveKind, Prism, Shape, SplineKind};
+use raggio_function::Function;
+use raggio_scene::{BlobComponent, BlobShape, Container, Curve2, CurveKind, Prism, Shape, SplineKind};
 
 use super::{ShapeKind, build};
 use crate::Surface;
@@ -449,4 +450,95 @@ fn surfaces_of_revolution() {
     }
     sor("sor").is_a_consistent_solid();
     sor("sor").uv_agrees_with_the_record(3e-4);
+}
+
+fn ovus(name: &'static str) -> Subject {
+    let (bottom, top) = if name == "ovus" { (1.0, 0.65) } else { (0.6, 0.8) };
+    plain(name, Shape::Ovus { bottom, top })
+}
+
+#[test]
+fn eggs() {
+    for name in ["ovus", "ovus_top"] {
+        ovus(name).agrees_with_the_record(1e-6, 1e-5);
+        ovus(name).is_a_consistent_solid();
+    }
+    ovus("ovus").uv_agrees_with_the_record(3e-4);
+    // A top of twice the bottom or more is a sphere.
+    let ball = plain("ball", Shape::Ovus { bottom: 0.5, top: 1.2 });
+    ball.is_a_consistent_solid();
+    let hit = ball.trace(Vec3::new(-5.0, 0.5, 0.0), Vec3::X).expect("a hit");
+    assert!((hit.p.x + 1.2).abs() < 1e-12);
+}
+
+/// Small formulas for functions.
+mod formula {
+    use raggio_function::{BinaryOp, Builtin, Expr};
+
+    pub fn num(x: f64) -> Expr {
+        Expr::Const(x)
+    }
+    pub fn slot(n: usize) -> Expr {
+        Expr::Slot(n)
+    }
+    pub fn add(a: Expr, b: Expr) -> Expr {
+        Expr::Binary(BinaryOp::Add, Box::new(a), Box::new(b))
+    }
+    pub fn mul(a: Expr, b: Expr) -> Expr {
+        Expr::Binary(BinaryOp::Mul, Box::new(a), Box::new(b))
+    }
+    pub fn sin(a: Expr) -> Expr {
+        Expr::Call(Builtin::Sin, vec![a])
+    }
+    pub fn cos(a: Expr) -> Expr {
+        Expr::Call(Builtin::Cos, vec![a])
+    }
+    pub fn sqr(n: usize) -> Expr {
+        mul(slot(n), slot(n))
+    }
+}
+
+fn isosurface(name: &'static str) -> Subject {
+    use formula::*;
+    let cube = |r: f64| Container::Box { min: Vec3::splat(-r), max: Vec3::splat(r) };
+    let (body, container, max_gradient, max_trace, place) = match name {
+        "iso" => {
+            let xy = add(sqr(0), mul(num(2.0), sqr(1)));
+            let z = mul(sqr(2), add(num(1.0), slot(0)));
+            (add(add(xy, z), num(-0.8)), cube(1.2), 8.0, 1, Affine::IDENTITY)
+        }
+        "iso_closed" => {
+            let waves = add(
+                mul(num(0.3), sin(mul(num(4.0), slot(0)))),
+                mul(num(0.2), cos(mul(num(3.0), slot(2)))),
+            );
+            let ball = Container::Sphere { center: Vec3::ZERO, radius: 1.0 };
+            (add(slot(1), waves), ball, 3.0, 10, Affine::IDENTITY)
+        }
+        _ => (add(sqr(0), sqr(2)), cube(1.0), 4.0, 10, rotate(20., 0., 30.)),
+    };
+    let iso = raggio_scene::Isosurface {
+        function: Arc::new(Function::new(3, body)),
+        container,
+        threshold: if name == "iso_open" { 0.36 } else { 0.0 },
+        accuracy: 0.0001,
+        max_gradient,
+        evaluate: None,
+        max_trace,
+        open: name == "iso_open",
+    };
+    Subject::new(name, &Shape::Isosurface(Box::new(iso)), place)
+}
+
+#[test]
+fn isosurfaces() {
+    for name in ["iso", "iso_closed", "iso_open"] {
+        isosurface(name).agrees_with_the_record(1e-5, 1e-5);
+    }
+    // The very steps of the search: all but two rays from inside agree to the last digit recorded.
+    assert_eq!(isosurface("iso").differing_hits(1e-9, 1e-6).len(), 2);
+    assert_eq!(isosurface("iso_closed").differing_hits(1e-9, 1e-6).len(), 0);
+    assert_eq!(isosurface("iso_open").differing_hits(1e-9, 1e-6).len(), 0);
+    isosurface("iso").uv_agrees_with_the_record(3e-4);
+    isosurface("iso_closed").is_a_consistent_solid();
 }
