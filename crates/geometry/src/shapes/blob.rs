@@ -56,11 +56,16 @@ impl Element {
                 let axis = (cap - base).try_normalize().unwrap_or(Vec3::Z);
                 let (x, y) = axis.any_orthonormal_pair();
                 let upright = Affine::from_mat3(raggio_math::Mat3::from_cols(x, y, axis).transpose());
-                let to_unit = transform::scale(Vec3::splat(1.0 / radius)) * upright * transform::translate(-base);
+                let to_unit =
+                    transform::scale(Vec3::splat(1.0 / radius)) * upright * transform::translate(-base);
                 (to_unit, (cap - base).length() / radius)
             }
         };
-        Element { strength: component.strength, unit_from_blob: unit_from_component * component_from_blob, length }
+        Element {
+            strength: component.strength,
+            unit_from_blob: unit_from_component * component_from_blob,
+            length,
+        }
     }
 
     fn bounds(&self) -> Aabb {

@@ -49,7 +49,8 @@ struct Stretch {
 
 impl Stretch {
     fn clipped(mut self, axis: usize, slab: (f64, f64)) -> Option<Stretch> {
-        (self.lo, self.hi) = clip_to_slab(self.ray.origin[axis], self.ray.dir[axis], slab, (self.lo, self.hi))?;
+        (self.lo, self.hi) =
+            clip_to_slab(self.ray.origin[axis], self.ray.dir[axis], slab, (self.lo, self.hi))?;
         Some(self)
     }
 }
@@ -232,8 +233,7 @@ fn sample_normals(field: &raggio_scene::HeightField) -> Vec<[i16; 3]> {
         let rise_down = (j > 0).then(|| at(i, j - 1) - here);
         let pairs =
             [(rise_right, rise_up), (rise_left, rise_up), (rise_left, rise_down), (rise_right, rise_down)];
-        let sum: Vec3 =
-            pairs.iter().filter_map(|&(x, z)| Some(Vec3::new(x?, 1.0, z?).normalize())).sum();
+        let sum: Vec3 = pairs.iter().filter_map(|&(x, z)| Some(Vec3::new(x?, 1.0, z?).normalize())).sum();
         let n = sum.normalize_or(Vec3::Y) * 32767.0;
         [n.x as i16, n.y as i16, n.z as i16]
     };

@@ -1,4 +1,5 @@
 //! Every kind of shape, one file each; registered here once.
+mod bicubic;
 mod blob;
 mod collect;
 mod container;
@@ -15,6 +16,7 @@ mod recorded_tests;
 mod revolve;
 mod sor;
 mod sphere;
+mod sphere_sweep;
 mod superellipsoid;
 mod text;
 mod torus;
@@ -67,6 +69,7 @@ macro_rules! shape_kinds {
 
 // Kinds with more than some 200 bytes of their own belong in a `Box`, so that small ones stay small.
 shape_kinds! {
+    Bicubic(Box<bicubic::Bicubic>),
     Blob(blob::Blob),
     HeightField(Box<height_field::HeightField>),
     Isosurface(Box<isosurface::Isosurface>),
@@ -77,6 +80,7 @@ shape_kinds! {
     Prism(Box<prism::Prism>),
     Sor(sor::Sor),
     Sphere(Sphere),
+    SphereSweep(sphere_sweep::SphereSweep),
     Superellipsoid(superellipsoid::Superellipsoid),
     Text(text::Text),
     Torus(torus::Torus),
@@ -97,17 +101,27 @@ pub(crate) fn build(shape: &Shape) -> Result<ShapeKind, BuildError> {
         Shape::Polygon { .. } => return Err(BuildError::Unsupported("polygon")),
         Shape::Mesh(_) => return Err(BuildError::Unsupported("mesh")),
         Shape::Torus { major, minor } => ShapeKind::Torus(torus::Torus::new(*major, *minor)),
-        Shape::Poly { degree, coefficients } => ShapeKind::Poly(poly::Poly::new(*degree, coefficients.clone())),
-        Shape::Superellipsoid { e, n } => ShapeKind::Superellipsoid(superellipsoid::Superellipsoid::new(*e, *n)),
+        Shape::Poly { degree, coefficients } => {
+            ShapeKind::Poly(poly::Poly::new(*degree, coefficients.clone()))
+        }
+        Shape::Superellipsoid { e, n } => {
+            ShapeKind::Superellipsoid(superellipsoid::Superellipsoid::new(*e, *n))
+        }
         Shape::Ovus { bottom, top } => ShapeKind::Ovus(ovus::Ovus::new(*bottom, *top)),
-        Shape::BicubicPatch { .. } => return Err(BuildError::Unsupported("bicubic_patch")),
-        Shape::HeightField(field) => ShapeKind::HeightField(Box::new(height_field::HeightField::new(field.clone()))),
+        Shape::BicubicPatch { flatness, u_steps, v_steps, points, uv, .. } => {
+            ShapeKind::Bicubic(Box::new(bicubic::Bicubic::new(points, *flatness, *u_steps, *v_steps, *uv)))
+        }
+        Shape::HeightField(field) => {
+            ShapeKind::HeightField(Box::new(height_field::HeightField::new(field.clone())))
+        }
         Shape::Blob(blob) => ShapeKind::Blob(blob::Blob::new(blob)),
         Shape::Julia(_) => return Err(BuildError::Unsupported("julia_fractal")),
         Shape::Lathe { curves, .. } => ShapeKind::Lathe(lathe::Lathe::new(curves)),
         Shape::Sor { points, open } => ShapeKind::Sor(sor::Sor::new(points, *open)),
         Shape::Prism(prism) => ShapeKind::Prism(Box::new(prism::Prism::new(prism))),
-        Shape::SphereSweep { .. } => return Err(BuildError::Unsupported("sphere_sweep")),
+        Shape::SphereSweep { kind, spheres, tolerance } => {
+            ShapeKind::SphereSweep(sphere_sweep::SphereSweep::new(*kind, spheres, *tolerance))
+        }
         Shape::Text { glyphs, depth } => ShapeKind::Text(text::Text::new(glyphs, *depth)),
         Shape::Isosurface(iso) => ShapeKind::Isosurface(Box::new(isosurface::Isosurface::new(iso))),
         Shape::Parametric(_) => return Err(BuildError::Unsupported("parametric")),

@@ -51,7 +51,8 @@ impl Join {
 impl Ovus {
     /// Both radii positive; a top of twice the bottom or more is a sphere.
     pub(crate) fn new(bottom: f64, top: f64) -> Self {
-        let everything = Join { radius: 0.0, height: 0.0, inset: 0.0, from: f64::NEG_INFINITY, to: f64::NEG_INFINITY };
+        let everything =
+            Join { radius: 0.0, height: 0.0, inset: 0.0, from: f64::NEG_INFINITY, to: f64::NEG_INFINITY };
         Ovus { bottom, top, join: Join::new(bottom, top).unwrap_or(everything) }
     }
 

@@ -2,9 +2,11 @@
 //! of them must keep.
 use std::sync::Arc;
 
-use raggio_math::{Affine, MIN_HIT, Ray, Vec2, Vec3, transform};
 use raggio_function::Function;
-use raggio_scene::{BlobComponent, BlobShape, Container, Curve2, CurveKind, Prism, Shape, SplineKind};
+use raggio_math::{Affine, MIN_HIT, Ray, Vec2, Vec3, transform};
+use raggio_scene::{
+    BlobComponent, BlobShape, Container, Curve2, CurveKind, Prism, Shape, SplineKind, SweepSphere,
+};
 
 use super::{ShapeKind, build};
 use crate::Surface;
@@ -62,7 +64,8 @@ impl Subject {
         for row in rows(HITS, self.name) {
             let v = numbers(&row[1..]);
             let found = self.trace(Vec3::new(v[0], v[1], v[2]), Vec3::new(v[3], v[4], v[5]));
-            let expected = (v[6] == 1.0).then(|| (Vec3::new(v[7], v[8], v[9]), Vec3::new(v[10], v[11], v[12])));
+            let expected =
+                (v[6] == 1.0).then(|| (Vec3::new(v[7], v[8], v[9]), Vec3::new(v[10], v[11], v[12])));
             let same = match (&found, &expected) {
                 (None, None) => true,
                 (Some(f), Some((p, n))) => (f.p - *p).length() <= point && (f.n - *n).length() <= normal,
@@ -165,12 +168,14 @@ fn tori() {
 fn polynomial(name: &'static str) -> Subject {
     let (degree, coefficients): (u8, Vec<f64>) = match name {
         "cubic" => {
-            let c = [1., 0.3, 0., 0.1, 0., 0.2, 0., -1., 0., 0., 0.5, 0., 0.1, 0., 0.2, 0., 1., 0., -0.5, 0.1];
+            let c =
+                [1., 0.3, 0., 0.1, 0., 0.2, 0., -1., 0., 0., 0.5, 0., 0.1, 0., 0.2, 0., 1., 0., -0.5, 0.1];
             (3, c.to_vec())
         }
         "quartic" => {
             let mut c = vec![0.0; 35];
-            for (k, x) in [(0, 1.), (4, 2.), (7, 2.), (9, -2.245), (20, 1.), (23, 2.), (25, 1.755), (30, 1.)] {
+            for (k, x) in [(0, 1.), (4, 2.), (7, 2.), (9, -2.245), (20, 1.), (23, 2.), (25, 1.755), (30, 1.)]
+            {
                 c[k] = x;
             }
             c[32] = -2.245;
@@ -228,13 +233,18 @@ fn blob(name: &'static str) -> Subject {
             (0.6, c, Affine::IDENTITY)
         }
         "blob_neg" => {
-            let c = vec![ball(v(0., 0., 0.), 1.4, 2.0, one), ball(v(0.4, 0.4, -0.9), 0.8, -3.0, v(1., 1.2, 0.9))];
+            let c =
+                vec![ball(v(0., 0., 0.), 1.4, 2.0, one), ball(v(0.4, 0.4, -0.9), 0.8, -3.0, v(1., 1.2, 0.9))];
             (0.5, c, Affine::IDENTITY)
         }
         _ => {
             let rod = BlobShape::Cylinder { base: v(-0.8, -0.3, 0.), cap: v(0.7, 0.5, 0.2), radius: 0.6 };
-            let rod =
-                BlobComponent { shape: rod, strength: 1.0, blob_from_component: Affine::IDENTITY, texture: None };
+            let rod = BlobComponent {
+                shape: rod,
+                strength: 1.0,
+                blob_from_component: Affine::IDENTITY,
+                texture: None,
+            };
             let c = vec![rod, ball(v(0., -0.4, 0.), 0.9, 1.0, one)];
             (0.4, c, transform::scale(v(1., 1.2, 1.)) * rotate(0., 20., 0.))
         }
@@ -256,7 +266,9 @@ fn curves(kind: SplineKind, p: &[Vec2]) -> Vec<Curve2> {
     let z = Vec2::ZERO;
     let piece = |a, b, c, d, kind| Curve2 { a, b, c, d, kind };
     match kind {
-        SplineKind::Linear => p.windows(2).map(|p| piece(z, z, p[1] - p[0], p[0], CurveKind::Linear)).collect(),
+        SplineKind::Linear => {
+            p.windows(2).map(|p| piece(z, z, p[1] - p[0], p[0], CurveKind::Linear)).collect()
+        }
         SplineKind::Quadratic => p
             .windows(3)
             .map(|p| {
@@ -353,11 +365,31 @@ fn superellipsoids() {
 /// The heights of the recorded images, row 0 at z = 0.
 fn heights(name: &str) -> Vec<u16> {
     let table: [u16; 36] = match name {
-        "hf_gray8" => [4883, 20817, 36751, 52685, 2827, 18761, 45232, 59881, 8738, 23387, 38036, 52685, 25443, 38807, 52171, 65535, 12850, 26471, 11308, 23387, 35466, 47545, 59367, 5654, 2827, 13364, 24158, 35209, 46003, 56540, 0, 9509, 19018, 28270, 38036, 47545],
-        "hf_gray16" => [39595, 54781, 4431, 19617, 34803, 49989, 31676, 45625, 59574, 7987, 21936, 35885, 23757, 36469, 49181, 61893, 9069, 21781, 15838, 27313, 38788, 50263, 61738, 7677, 7919, 18157, 28395, 38633, 48871, 59109, 0, 9001, 18002, 27003, 36004, 45005],
-        "hf_rgb8" => [4907, 20887, 36677, 52533, 2919, 18907, 45244, 59673, 8888, 23449, 38076, 52513, 25421, 38811, 52011, 65533, 13073, 26471, 11486, 23325, 35486, 47457, 59494, 6061, 2927, 13727, 24337, 35269, 46011, 56819, 0, 9505, 19076, 28457, 37904, 47417],
-        "hf_rgb16" => [26517, 35758, 3744, 12985, 22226, 31467, 21214, 29676, 38139, 5346, 13808, 22270, 15910, 23594, 31277, 38961, 5389, 13073, 10607, 17511, 24417, 31321, 38226, 3876, 5303, 11429, 17555, 23681, 29808, 35934, 0, 5347, 10694, 16042, 21389, 26737],
-        _ => [4864, 20736, 36608, 52480, 2816, 18688, 45056, 59648, 8704, 23296, 37888, 52480, 25344, 38656, 51968, 65280, 13056, 26368, 11264, 23296, 35328, 47360, 59392, 5888, 2816, 13568, 24320, 35072, 45824, 56576, 0, 9472, 18944, 28416, 37888, 47360],
+        "hf_gray8" => [
+            4883, 20817, 36751, 52685, 2827, 18761, 45232, 59881, 8738, 23387, 38036, 52685, 25443, 38807,
+            52171, 65535, 12850, 26471, 11308, 23387, 35466, 47545, 59367, 5654, 2827, 13364, 24158, 35209,
+            46003, 56540, 0, 9509, 19018, 28270, 38036, 47545,
+        ],
+        "hf_gray16" => [
+            39595, 54781, 4431, 19617, 34803, 49989, 31676, 45625, 59574, 7987, 21936, 35885, 23757, 36469,
+            49181, 61893, 9069, 21781, 15838, 27313, 38788, 50263, 61738, 7677, 7919, 18157, 28395, 38633,
+            48871, 59109, 0, 9001, 18002, 27003, 36004, 45005,
+        ],
+        "hf_rgb8" => [
+            4907, 20887, 36677, 52533, 2919, 18907, 45244, 59673, 8888, 23449, 38076, 52513, 25421, 38811,
+            52011, 65533, 13073, 26471, 11486, 23325, 35486, 47457, 59494, 6061, 2927, 13727, 24337, 35269,
+            46011, 56819, 0, 9505, 19076, 28457, 37904, 47417,
+        ],
+        "hf_rgb16" => [
+            26517, 35758, 3744, 12985, 22226, 31467, 21214, 29676, 38139, 5346, 13808, 22270, 15910, 23594,
+            31277, 38961, 5389, 13073, 10607, 17511, 24417, 31321, 38226, 3876, 5303, 11429, 17555, 23681,
+            29808, 35934, 0, 5347, 10694, 16042, 21389, 26737,
+        ],
+        _ => [
+            4864, 20736, 36608, 52480, 2816, 18688, 45056, 59648, 8704, 23296, 37888, 52480, 25344, 38656,
+            51968, 65280, 13056, 26368, 11264, 23296, 35328, 47360, 59392, 5888, 2816, 13568, 24320, 35072,
+            45824, 56576, 0, 9472, 18944, 28416, 37888, 47360,
+        ],
     };
     table.to_vec()
 }
@@ -395,7 +427,9 @@ fn height_fields() {
 
 fn lathe(name: &'static str) -> Subject {
     let (kind, p) = match name {
-        "lathe_linear" => (SplineKind::Linear, points(&[(0., -1.), (0.9, -0.8), (0.4, 0.), (0.7, 0.6), (0., 1.)])),
+        "lathe_linear" => {
+            (SplineKind::Linear, points(&[(0., -1.), (0.9, -0.8), (0.4, 0.), (0.7, 0.6), (0., 1.)]))
+        }
         "lathe_quad" => {
             let p = [(0., -1.3), (0.1, -1.), (0.9, -0.6), (0.4, 0.1), (0.7, 0.6), (0.2, 1.)];
             (SplineKind::Quadratic, points(&p))
@@ -508,10 +542,8 @@ fn isosurface(name: &'static str) -> Subject {
             (add(add(xy, z), num(-0.8)), cube(1.2), 8.0, 1, Affine::IDENTITY)
         }
         "iso_closed" => {
-            let waves = add(
-                mul(num(0.3), sin(mul(num(4.0), slot(0)))),
-                mul(num(0.2), cos(mul(num(3.0), slot(2)))),
-            );
+            let waves =
+                add(mul(num(0.3), sin(mul(num(4.0), slot(0)))), mul(num(0.2), cos(mul(num(3.0), slot(2)))));
             let ball = Container::Sphere { center: Vec3::ZERO, radius: 1.0 };
             (add(slot(1), waves), ball, 3.0, 10, Affine::IDENTITY)
         }
@@ -541,4 +573,75 @@ fn isosurfaces() {
     assert_eq!(isosurface("iso_open").differing_hits(1e-9, 1e-6).len(), 0);
     isosurface("iso").uv_agrees_with_the_record(3e-4);
     isosurface("iso_closed").is_a_consistent_solid();
+}
+
+fn bicubic(name: &'static str) -> Subject {
+    let v = Vec3::new;
+    let points = Box::new([
+        [v(-1.5, -1.5, 0.), v(-0.5, -1.5, 0.8), v(0.5, -1.5, -0.8), v(1.5, -1.5, 0.)],
+        [v(-1.5, -0.5, 1.), v(-0.5, -0.5, -1.), v(0.5, -0.5, 1.), v(1.5, -0.5, 0.3)],
+        [v(-1.5, 0.5, -1.), v(-0.5, 0.5, 1.2), v(0.5, 0.5, -0.7), v(1.5, 0.5, 0.5)],
+        [v(-1.5, 1.5, 0.), v(-0.5, 1.5, -0.5), v(0.5, 1.5, 0.5), v(1.5, 1.5, 0.25)],
+    ]);
+    let uv = |x: f64| [Vec2::ZERO, Vec2::new(x, 0.), Vec2::new(x, 1.), Vec2::new(0., 1.)];
+    let shape = if name == "bicubic0" {
+        Shape::BicubicPatch { patch_type: 0, flatness: 0.05, u_steps: 3, v_steps: 2, points, uv: uv(1.0) }
+    } else {
+        Shape::BicubicPatch { patch_type: 1, flatness: 0.0, u_steps: 3, v_steps: 3, points, uv: uv(2.0) }
+    };
+    plain(name, shape)
+}
+
+#[test]
+fn bicubic_patches() {
+    for name in ["bicubic0", "bicubic1"] {
+        bicubic(name).agrees_with_the_record(1e-6, 1e-5);
+        bicubic(name).uv_agrees_with_the_record(3e-4);
+    }
+}
+
+fn sweep(name: &'static str) -> Subject {
+    let s = |x: f64, y: f64, z: f64, radius: f64| SweepSphere { center: Vec3::new(x, y, z), radius };
+    let (kind, spheres, tolerance) = match name {
+        "sweep_linear" => {
+            let p = vec![
+                s(-1., -0.6, 0., 0.3),
+                s(0., 0.6, 0.2, 0.45),
+                s(0.8, -0.4, -0.2, 0.2),
+                s(1.1, 0.6, 0., 0.25),
+            ];
+            (SplineKind::Linear, p, 1e-6)
+        }
+        "sweep_cubic" => {
+            let p = vec![
+                s(-1.5, -1., 0., 0.3),
+                s(-1., -0.6, 0., 0.3),
+                s(0., 0.6, 0.2, 0.4),
+                s(0.8, -0.4, -0.2, 0.2),
+                s(1.1, 0.6, 0., 0.25),
+                s(1.2, 1., 0., 0.2),
+            ];
+            (SplineKind::Cubic, p, 1e-6)
+        }
+        _ => {
+            let p = vec![
+                s(-1.5, -1., 0., 0.4),
+                s(-1., -0.6, 0., 0.4),
+                s(0., 1., 0.2, 0.5),
+                s(0.8, -0.8, -0.2, 0.3),
+                s(1.1, 0.6, 0., 0.35),
+                s(1.2, 1., 0., 0.3),
+            ];
+            (SplineKind::BSpline, p, 0.001)
+        }
+    };
+    plain(name, Shape::SphereSweep { kind, spheres: spheres.into(), tolerance })
+}
+
+#[test]
+fn sphere_sweeps() {
+    for name in ["sweep_linear", "sweep_cubic", "sweep_b"] {
+        sweep(name).agrees_with_the_record(5e-6, 5e-5);
+    }
+    sweep("sweep_linear").uv_agrees_with_the_record(3e-4);
 }

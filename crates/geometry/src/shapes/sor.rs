@@ -52,7 +52,9 @@ impl Segment {
 
     fn search(&self, part: u32, ray: &Ray, to: &mut impl Collect) {
         let heights = (self.base, self.top);
-        let Some((lo, hi)) = clip_to_barrel(ray, heights, self.reach * (1.0 + 1e-9), to.range()) else { return };
+        let Some((lo, hi)) = clip_to_barrel(ray, heights, self.reach * (1.0 + 1e-9), to.range()) else {
+            return;
+        };
         // A level ray at a joint belongs to the segment above.
         if ray.dir.y == 0.0 && ray.origin.y == self.top {
             return;

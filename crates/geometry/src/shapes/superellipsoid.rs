@@ -59,8 +59,7 @@ impl Superellipsoid {
         // At a crease the slope is that of the side the ray comes from; the cuts make it one-sided anyway.
         let towards = |p: f64, d: f64| if p < 0.0 { -d } else { d };
         let d = ray.dir;
-        let slope =
-            dxy * (dx * towards(p.x, d.x) + dy * towards(p.y, d.y)) + dz * towards(p.z, d.z);
+        let slope = dxy * (dx * towards(p.x, d.x) + dy * towards(p.y, d.y)) + dz * towards(p.z, d.z);
         (t, f - 1.0, slope)
     }
 

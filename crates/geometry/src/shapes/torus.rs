@@ -25,7 +25,9 @@ impl Torus {
         if self.minor < 0.0 {
             return;
         }
-        let Some((lo, hi)) = clip_to_barrel(ray, (-self.minor, self.minor), outer, to.range()) else { return };
+        let Some((lo, hi)) = clip_to_barrel(ray, (-self.minor, self.minor), outer, to.range()) else {
+            return;
+        };
         // Distances from the middle of what is left of the ray keep the coefficients small.
         let middle = 0.5 * (lo + hi);
         let quartic = torus_quartic(&Ray::new(ray.at(middle), ray.dir), self.major, self.minor);

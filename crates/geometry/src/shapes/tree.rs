@@ -25,7 +25,8 @@ struct Node {
 impl Tree {
     /// A tree over the boxes of parts; empty boxes are left out.
     pub(crate) fn new(boxes: &[Aabb]) -> Self {
-        let mut parts: Vec<u32> = (0..boxes.len() as u32).filter(|&i| !boxes[i as usize].is_empty()).collect();
+        let mut parts: Vec<u32> =
+            (0..boxes.len() as u32).filter(|&i| !boxes[i as usize].is_empty()).collect();
         let mut nodes = Vec::new();
         if !parts.is_empty() {
             build(boxes, &mut parts, 0, &mut nodes);
@@ -41,7 +42,12 @@ impl Tree {
     /// Calls `each` with the parts whose leaf boxes meet the ray. `each` gets the index of a part and answers with the
     /// range of distances that still matters.
     #[inline]
-    pub(crate) fn visit_ray(&self, ray: &Ray, mut range: (f64, f64), mut each: impl FnMut(usize) -> (f64, f64)) {
+    pub(crate) fn visit_ray(
+        &self,
+        ray: &Ray,
+        mut range: (f64, f64),
+        mut each: impl FnMut(usize) -> (f64, f64),
+    ) {
         let mut at = 0;
         while let Some(node) = self.nodes.get(at) {
             let met = node.bounds.hit(ray).is_some_and(|(near, far)| near < range.1 && far > range.0);
@@ -86,7 +92,13 @@ fn build(boxes: &[Aabb], parts: &mut [u32], first: usize, nodes: &mut Vec<Node>)
     } else {
         let centres = Aabb::around(parts.iter().map(|&i| boxes[i as usize].centre()));
         let size = centres.size();
-        let axis = if size.x >= size.y.max(size.z) { 0 } else if size.y >= size.z { 1 } else { 2 };
+        let axis = if size.x >= size.y.max(size.z) {
+            0
+        } else if size.y >= size.z {
+            1
+        } else {
+            2
+        };
         let key = |i: &u32| boxes[*i as usize].centre()[axis];
         let half = parts.len() / 2;
         parts.select_nth_unstable_by(half, |a, b| key(a).total_cmp(&key(b)));
