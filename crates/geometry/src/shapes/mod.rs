@@ -4,13 +4,17 @@ mod blob;
 mod collect;
 mod container;
 mod height_field;
+mod hypercomplex;
 mod isosurface;
+mod julia;
 mod lathe;
 mod outline;
 mod ovus;
+mod parametric;
 mod plane;
 mod poly;
 mod prism;
+mod quaternion;
 #[cfg(test)]
 mod recorded_tests;
 mod revolve;
@@ -73,8 +77,10 @@ shape_kinds! {
     Blob(blob::Blob),
     HeightField(Box<height_field::HeightField>),
     Isosurface(Box<isosurface::Isosurface>),
+    Julia(Box<julia::Julia>),
     Lathe(lathe::Lathe),
     Ovus(ovus::Ovus),
+    Parametric(Box<parametric::Parametric>),
     Plane(Plane),
     Poly(poly::Poly),
     Prism(Box<prism::Prism>),
@@ -115,7 +121,7 @@ pub(crate) fn build(shape: &Shape) -> Result<ShapeKind, BuildError> {
             ShapeKind::HeightField(Box::new(height_field::HeightField::new(field.clone())))
         }
         Shape::Blob(blob) => ShapeKind::Blob(blob::Blob::new(blob)),
-        Shape::Julia(_) => return Err(BuildError::Unsupported("julia_fractal")),
+        Shape::Julia(julia) => ShapeKind::Julia(Box::new(julia::Julia::new(julia))),
         Shape::Lathe { curves, .. } => ShapeKind::Lathe(lathe::Lathe::new(curves)),
         Shape::Sor { points, open } => ShapeKind::Sor(sor::Sor::new(points, *open)),
         Shape::Prism(prism) => ShapeKind::Prism(Box::new(prism::Prism::new(prism))),
@@ -124,7 +130,7 @@ pub(crate) fn build(shape: &Shape) -> Result<ShapeKind, BuildError> {
         }
         Shape::Text { glyphs, depth } => ShapeKind::Text(text::Text::new(glyphs, *depth)),
         Shape::Isosurface(iso) => ShapeKind::Isosurface(Box::new(isosurface::Isosurface::new(iso))),
-        Shape::Parametric(_) => return Err(BuildError::Unsupported("parametric")),
+        Shape::Parametric(p) => ShapeKind::Parametric(Box::new(parametric::Parametric::new(p))),
     })
 }
 

@@ -645,3 +645,68 @@ fn sphere_sweeps() {
     }
     sweep("sweep_linear").uv_agrees_with_the_record(3e-4);
 }
+
+fn julia(name: &'static str) -> Subject {
+    use raggio_scene::{JuliaAlgebra, JuliaFunction};
+    let plain_slice = ([0.0, 0.0, 0.0, 1.0], 0.0);
+    let (parameter, algebra, function, max_iteration, precision, (slice, slice_distance)) = match name {
+        "julia" => {
+            let c = [-0.083, 0.0, -0.83, -0.025];
+            (c, JuliaAlgebra::Quaternion, JuliaFunction::Sqr, 8, 50.0, plain_slice)
+        }
+        "julia_cube" => {
+            let length = (0.01f64 + 0.04 + 0.01 + 1.0).sqrt();
+            let slice = [0.1, 0.2, 0.1, 1.0].map(|x| x / length);
+            let c = [0.3, 0.4, -0.2, 0.1];
+            (c, JuliaAlgebra::Quaternion, JuliaFunction::Cube, 6, 50.0, (slice, 0.1))
+        }
+        "julia_hyper" => {
+            let c = [-0.16, 0.5, 0.1, -0.2];
+            (c, JuliaAlgebra::Hypercomplex, JuliaFunction::Sqr, 7, 80.0, plain_slice)
+        }
+        _ => {
+            let c = [-1.0, 0.2, 0.1, 0.05];
+            (c, JuliaAlgebra::Hypercomplex, JuliaFunction::Exp, 5, 40.0, plain_slice)
+        }
+    };
+    let julia =
+        raggio_scene::Julia { parameter, algebra, function, max_iteration, precision, slice, slice_distance };
+    plain(name, Shape::Julia(Box::new(julia)))
+}
+
+#[test]
+fn julia_fractals() {
+    for name in ["julia", "julia_cube", "julia_hyper", "julia_exp"] {
+        let (w, i) = (julia(name).differing_hits(1e-6, 1e-4), julia(name).differing_insides());
+        eprintln!("{name}: {} {}\n{}\n{}", w.len(), i.len(), w.join("\n"), i.join("\n"));
+    }
+    panic!();
+}
+
+fn parametric() -> Subject {
+    use formula::*;
+    let tube = || add(num(1.0), mul(num(0.35), cos(slot(1))));
+    let function = |body| Arc::new(Function::new(2, body));
+    let shape = raggio_scene::Parametric {
+        functions: [
+            function(mul(cos(slot(0)), tube())),
+            function(mul(num(0.35), sin(slot(1)))),
+            function(mul(sin(slot(0)), tube())),
+        ],
+        uv_min: Vec2::ZERO,
+        uv_max: Vec2::splat(6.283185307),
+        container: Container::Box { min: Vec3::new(-1.4, -0.4, -1.4), max: Vec3::new(1.4, 0.4, 1.4) },
+        max_gradient: 2.0,
+        accuracy: 0.0005,
+        precompute_depth: 10,
+    };
+    plain("parametric", Shape::Parametric(Box::new(shape)))
+}
+
+#[test]
+fn parametric_surfaces() {
+    let w = parametric().differing_hits(2e-3, 5e-3);
+    eprintln!("{} {}", w.len(), w.join("\n"));
+    parametric().uv_agrees_with_the_record(2e-3);
+    assert!(w.is_empty());
+}
