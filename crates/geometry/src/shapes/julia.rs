@@ -177,7 +177,7 @@ impl Surface for Julia {
             Map::Quaternion(power) => quaternion::gradient(power, q, self.parameter, self.steps),
             Map::Hypercomplex(map) => {
                 let start = Hypercomplex::from_vec(map.defective_start(q));
-                map.orbit(start, self.hyper_parameter(), self.steps, f64::INFINITY).gradient()
+                map.orbit(start, self.hyper_parameter(), self.steps, self.escape).gradient()
             }
         };
         n.try_normalize().unwrap_or(Vec3::X)

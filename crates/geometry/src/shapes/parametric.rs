@@ -1,12 +1,12 @@
 //! The parametric surface: three functions of u and v (shapes spec, section 7).
 //!
 //! Each function is known to stay within a slope, so over a rectangle of parameters the surface stays in a box around
-//! its four corners. Rectangles whose boxes the ray misses are dropped, others are halved. The place found is then set
-//! right by Newton's method.
+//! its four corners. Rectangles whose boxes the ray misses are dropped, others are halved. The steps are POV-Ray's, since
+//! the place found, which at grazing rays may lie a good way off the surface, is part of the picture.
 use std::sync::Arc;
 
 use raggio_function::Function;
-use raggio_math::{Aabb, Mat3, Ray, Vec2, Vec3};
+use raggio_math::{Aabb, EPS, Ray, Vec2, Vec3};
 use raggio_scene::Container;
 use smallvec::SmallVec;
 
@@ -92,14 +92,16 @@ impl Parametric {
         self.boxes.get(rect.index).copied().unwrap_or_else(|| self.rect_box(rect))
     }
 
-    /// A box around the surface over a rectangle: first along two edges of constant u, then between those.
+    /// A box around the surface over a rectangle, lowered by the accuracy: first along two edges of constant u, then
+    /// between those.
     fn rect_box(&self, rect: &Rect) -> Aabb {
         let size = rect.hi - rect.lo;
         let spread = |a: Vec3, b: Vec3, h: f64| {
             (0.5 * (Vec3::splat(self.max_gradient * h) - (a - b).abs())).max(Vec3::ZERO)
         };
+        let corner = |u: f64, v: f64| self.point(Vec2::new(u, v)) - Vec3::splat(self.accuracy);
         let edge = |u: f64| {
-            let (a, b) = (self.point(Vec2::new(u, rect.lo.y)), self.point(Vec2::new(u, rect.hi.y)));
+            let (a, b) = (corner(u, rect.lo.y), corner(u, rect.hi.y));
             let more = spread(a, b, size.y);
             (a.min(b) - more, a.max(b) + more)
         };
@@ -124,32 +126,12 @@ impl Parametric {
             }
             let size = rect.hi - rect.lo;
             if size.max_element().min(bounds.size().max_element()) < self.accuracy {
-                if let Some(hit) = self.settled(ray, rect.lo, near, limits) {
-                    to.push(hit);
-                }
+                to.push(LocalHit { t: entry(&bounds, ray), part: 0, u: rect.lo.x, v: rect.lo.y });
                 continue;
             }
             let (lower, upper) = rect.halves();
             waiting.extend([upper, lower]);
         }
-    }
-
-    /// A hit found to the accuracy, made exact where Newton's method agrees with it.
-    fn settled(&self, ray: &Ray, at: Vec2, t: f64, limits: (f64, f64)) -> Option<LocalHit> {
-        let (mut uv, mut s) = (at, t);
-        for _ in 0..4 {
-            let (p, du, dv) = self.slopes(uv);
-            let step = Mat3::from_cols(du, dv, -ray.dir).inverse() * (ray.at(s) - p);
-            uv += Vec2::new(step.x, step.y);
-            s += step.z;
-        }
-        let near = (s - t).abs() <= 4.0 * self.accuracy && self.holds(uv);
-        let (uv, t) = if near { (uv, s) } else { (at, t) };
-        (limits.0 <= t && t <= limits.1).then_some(LocalHit { t, part: 0, u: uv.x, v: uv.y })
-    }
-
-    fn holds(&self, uv: Vec2) -> bool {
-        uv.cmpge(self.whole.lo).all() && uv.cmple(self.whole.hi).all()
     }
 
     /// The point and its derivatives by u and v, by forward differences.
@@ -158,6 +140,13 @@ impl Parametric {
         let slope = |step: Vec2| (self.point(uv + step * self.accuracy) - p) / self.accuracy;
         (p, slope(Vec2::X), slope(Vec2::Y))
     }
+}
+
+/// Where the ray enters the last slab of the box that it is not parallel to.
+fn entry(bounds: &Aabb, ray: &Ray) -> f64 {
+    let axis = (0..3).rev().find(|&k| ray.dir[k].abs() > EPS).unwrap_or(0);
+    let to = |face: f64| (face - ray.origin[axis]) / ray.dir[axis];
+    to(bounds.min[axis]).min(to(bounds.max[axis]))
 }
 
 impl Surface for Parametric {
