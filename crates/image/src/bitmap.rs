@@ -48,3 +48,54 @@ pub enum FileCurve {
     /// The format is linear light (HDR, EXR).
     Linear,
 }
+
+impl Pixels {
+    /// How many pixels there are.
+    pub fn len(&self) -> usize {
+        match self {
+            Pixels::Palette { indices, .. } => indices.len(),
+            Pixels::Grey8(v) => v.len(),
+            Pixels::Grey16(v) => v.len(),
+            Pixels::GreyAlpha8(v) => v.len(),
+            Pixels::GreyAlpha16(v) => v.len(),
+            Pixels::Rgb8(v) => v.len(),
+            Pixels::Rgb16(v) => v.len(),
+            Pixels::Rgba8(v) => v.len(),
+            Pixels::Rgba16(v) => v.len(),
+            Pixels::RgbF32(v) => v.len(),
+            Pixels::RgbaF32(v) => v.len(),
+        }
+    }
+
+    /// Are there none?
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// The pixels in 8 bits with alpha: 16-bit numbers lose their low bytes, floats are clamped and rounded.
+    pub fn rgba8(&self) -> Vec<[u8; 4]> {
+        let high = |v: u16| (v >> 8) as u8;
+        let byte = |v: f32| (v.clamp(0.0, 1.0) * 255.0 + 0.5) as u8;
+        match self {
+            Pixels::Palette { indices, colors } => indices
+                .iter()
+                .map(|&i| colors.get(usize::from(i)).copied().unwrap_or([0, 0, 0, 255]))
+                .collect(),
+            Pixels::Grey8(v) => v.iter().map(|&g| [g, g, g, 255]).collect(),
+            Pixels::Grey16(v) => v.iter().map(|&g| high(g)).map(|g| [g, g, g, 255]).collect(),
+            Pixels::GreyAlpha8(v) => v.iter().map(|&[g, a]| [g, g, g, a]).collect(),
+            Pixels::GreyAlpha16(v) => v.iter().map(|p| p.map(high)).map(|[g, a]| [g, g, g, a]).collect(),
+            Pixels::Rgb8(v) => v.iter().map(|&[r, g, b]| [r, g, b, 255]).collect(),
+            Pixels::Rgb16(v) => v.iter().map(|p| p.map(high)).map(|[r, g, b]| [r, g, b, 255]).collect(),
+            Pixels::Rgba8(v) => v.clone(),
+            Pixels::Rgba16(v) => v.iter().map(|p| p.map(high)).collect(),
+            Pixels::RgbF32(v) => v.iter().map(|p| p.map(byte)).map(|[r, g, b]| [r, g, b, 255]).collect(),
+            Pixels::RgbaF32(v) => v.iter().map(|p| p.map(byte)).collect(),
+        }
+    }
+
+    /// The pixels in 8 bits; alpha is dropped.
+    pub fn rgb8(&self) -> Vec<[u8; 3]> {
+        self.rgba8().into_iter().map(|[r, g, b, _]| [r, g, b]).collect()
+    }
+}

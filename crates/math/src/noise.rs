@@ -12,7 +12,7 @@ mod values;
 mod waves;
 
 pub use lattice::dnoise;
-pub use random::{hash3, random};
+pub use random::{hash3, random, random3};
 pub use turbulence::{dturbulence, turbulence};
 pub use waves::{WaveSource, wave_sources};
 

@@ -2,7 +2,7 @@
 use raggio_math::{Aabb, Ray, Vec2, Vec3};
 
 use super::collect::{Collect, searched_from};
-use super::tree::Tree;
+use super::parts::Parts;
 use crate::{LocalHit, Surface};
 
 const LEAST: f64 = 1e-5;
@@ -15,10 +15,9 @@ const EDGE: f64 = 1e-10;
 type Grid = [[Vec3; 4]; 4];
 
 /// A patch, ready to be hit.
-#[derive(Clone, Debug)]
 pub(crate) struct Bicubic {
     triangles: Vec<Triangle>,
-    tree: Tree,
+    parts: Parts,
     /// Texture coordinates of the corners, around the patch.
     uv: [Vec2; 4],
 }
@@ -45,15 +44,15 @@ impl Bicubic {
         let mut triangles = Vec::new();
         cut(points, points, (Vec2::ZERO, Vec2::ONE), 0, &limits, &mut triangles);
         let boxes: Vec<_> = triangles.iter().map(|t| Aabb::around(t.points)).collect();
-        Bicubic { triangles, tree: Tree::new(&boxes), uv }
+        Bicubic { triangles, parts: Parts::new(&boxes), uv }
     }
 
     fn search(&self, ray: &Ray, to: &mut impl Collect) {
-        self.tree.visit_ray(ray, to.range(), |i| {
+        self.parts.visit_ray(ray, to.range(), |i| {
             if let Some((t, u, v)) = self.triangles[i].hit(ray) {
                 to.push(LocalHit { t, part: i as u32, u, v });
             }
-            to.range()
+            to.range().1
         });
     }
 }
@@ -167,7 +166,7 @@ impl Surface for Bicubic {
     searched_from!(LEAST);
 
     fn bounds(&self) -> Aabb {
-        self.tree.bounds()
+        self.parts.bounds()
     }
 
     fn inside(&self, _p: Vec3) -> bool {

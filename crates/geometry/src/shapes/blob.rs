@@ -7,7 +7,8 @@ use raggio_scene::{BlobComponent, BlobShape};
 use smallvec::SmallVec;
 
 use super::collect::{Collect, searched_from};
-use super::tree::Tree;
+use super::parts::Parts;
+use crate::texturing::PartUses;
 use crate::{LocalHit, Surface};
 
 /// Blobs report no hit nearer than this.
@@ -16,11 +17,10 @@ const LEAST: f64 = 1e-2;
 const TOLERANCE: f64 = 1e-6;
 
 /// A blob, ready to be hit.
-#[derive(Clone, Debug)]
 pub(crate) struct Blob {
     threshold: f64,
     elements: Vec<Element>,
-    tree: Tree,
+    parts: Parts,
 }
 
 /// A component in a frame of its own where its radius is 1: a ball about the origin, or a rod from the origin along z.
@@ -142,15 +142,15 @@ impl Blob {
     pub(crate) fn new(blob: &raggio_scene::Blob) -> Self {
         let elements: Vec<_> = blob.components.iter().map(Element::new).collect();
         let boxes: Vec<_> = elements.iter().map(Element::bounds).collect();
-        Blob { threshold: blob.threshold, elements, tree: Tree::new(&boxes) }
+        Blob { threshold: blob.threshold, elements, parts: Parts::new(&boxes) }
     }
 
     fn search(&self, ray: &Ray, to: &mut impl Collect) {
         let mut spans = Spans::new();
         let range = to.range();
-        self.tree.visit_ray(ray, range, |i| {
+        self.parts.visit_ray(ray, range, |i| {
             self.elements[i].add_spans(ray, (f64::NEG_INFINITY, f64::INFINITY), &mut spans);
-            range
+            range.1
         });
         spans.retain(|s| s.to > range.0 && s.from < range.1);
         spans.sort_unstable_by(|a, b| a.from.total_cmp(&b.from));
@@ -195,10 +195,10 @@ impl Blob {
 
     /// The share of each component in the field at a point: its index and its weight; the weights sum to 1. Empty where
     /// no component reaches.
-    pub(crate) fn weights(&self, p: Vec3, out: &mut SmallVec<[(u32, f32); 4]>) {
+    pub(crate) fn weights(&self, p: Vec3, out: &mut PartUses) {
         out.clear();
         let mut total = 0.0;
-        self.tree.visit_point(p, |i| {
+        self.parts.visit_point(p, |i| {
             let (_, u) = self.elements[i].field(p);
             if u > 0.0 {
                 let weight = (self.elements[i].strength * u * u).abs();
@@ -216,12 +216,12 @@ impl Surface for Blob {
     searched_from!(LEAST);
 
     fn bounds(&self) -> Aabb {
-        self.tree.bounds()
+        self.parts.bounds()
     }
 
     fn inside(&self, p: Vec3) -> bool {
         let mut sum = 0.0;
-        self.tree.visit_point(p, |i| {
+        self.parts.visit_point(p, |i| {
             let u = self.elements[i].field(p).1.max(0.0);
             sum += self.elements[i].strength * u * u;
         });
@@ -230,7 +230,7 @@ impl Surface for Blob {
 
     fn normal(&self, p: Vec3, _hit: &LocalHit) -> Vec3 {
         let mut out = Vec3::ZERO;
-        self.tree.visit_point(p, |i| {
+        self.parts.visit_point(p, |i| {
             let e = &self.elements[i];
             let (q, u) = e.field(p);
             if u > 0.0 {

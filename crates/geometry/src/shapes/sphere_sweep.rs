@@ -8,16 +8,15 @@ use raggio_scene::{SplineKind, SweepSphere};
 use smallvec::SmallVec;
 
 use super::collect::{Collect, searched_from};
-use super::tree::Tree;
+use super::parts::Parts;
 use crate::{LocalHit, Surface};
 
 const LEAST: f64 = 0.0;
 
 /// A sphere sweep, ready to be hit.
-#[derive(Clone, Debug)]
 pub(crate) struct SphereSweep {
     segments: Vec<Segment>,
-    tree: Tree,
+    parts: Parts,
     /// Hits nearer than this are dropped.
     tolerance: f64,
 }
@@ -168,18 +167,20 @@ impl SphereSweep {
         let window = if kind == SplineKind::Linear { 2 } else { 4 };
         let segments: Vec<_> = spheres.windows(window).map(|p| Segment::new(kind, p)).collect();
         let boxes: Vec<_> = segments.iter().map(Segment::bounds).collect();
-        SphereSweep { segments, tree: Tree::new(&boxes), tolerance }
+        SphereSweep { segments, parts: Parts::new(&boxes), tolerance }
     }
 
     fn search(&self, ray: &Ray, to: &mut impl Collect) {
         // Distances from the point nearest to the middle of the sweep.
-        let shift = (self.tree.bounds().centre() - ray.origin).dot(ray.dir);
+        let bounds = self.parts.bounds();
+        let shift = (bounds.centre() - ray.origin).dot(ray.dir);
         let near = Ray::new(ray.at(shift), ray.dir);
         let mut stretches = Stretches::new();
-        let everything = (f64::NEG_INFINITY, f64::INFINITY);
-        self.tree.visit_ray(ray, everything, |i| {
+        // Stretches that hold the origin count as well, so the search starts in front of everything.
+        let before = Ray::new(ray.at(shift - bounds.size().length()), ray.dir);
+        self.parts.visit_ray(&before, (0.0, f64::INFINITY), |i| {
             self.segments[i].stretches(&near, i as u32, &mut stretches);
-            everything
+            f64::INFINITY
         });
         stretches.sort_unstable_by(|a, b| a.0.t.total_cmp(&b.0.t));
         let mut emit = |end: End| {
@@ -208,14 +209,14 @@ impl Surface for SphereSweep {
     searched_from!(LEAST);
 
     fn bounds(&self) -> Aabb {
-        self.tree.bounds()
+        self.parts.bounds()
     }
 
     /// As the language has it: inside is where the point lies on a sphere of some segment. A point within all spheres of
     /// every segment that it touches is outside.
     fn inside(&self, p: Vec3) -> bool {
         let mut inside = false;
-        self.tree.visit_point(p, |i| {
+        self.parts.visit_point(p, |i| {
             inside = inside || !poly::roots_in(&self.segments[i].off_sphere(p), 0.0, 1.0).is_empty();
         });
         inside

@@ -7,8 +7,8 @@ use raggio_scene::Glyph;
 
 use super::collect::{Collect, searched_from};
 use super::outline::{Outline, slope};
+use super::parts::Parts;
 use super::revolve::clip_to_slab;
-use super::tree::Tree;
 use crate::{LocalHit, Surface};
 
 const LEAST: f64 = 1e-6;
@@ -18,11 +18,10 @@ const FRONT: u32 = 1;
 const BACK: u32 = 2;
 
 /// A text, ready to be hit.
-#[derive(Clone, Debug)]
 pub(crate) struct Text {
     glyphs: Vec<(Vec2, Outline)>,
     depth: f64,
-    tree: Tree,
+    parts: Parts,
 }
 
 impl Text {
@@ -31,13 +30,13 @@ impl Text {
         let outline = |g: &Glyph| (g.offset, Outline::new(g.contours.iter().flat_map(|c| &c.curves)));
         let glyphs: Vec<_> = glyphs.iter().map(outline).collect();
         let boxes: Vec<_> = glyphs.iter().map(|(at, outline)| glyph_bounds(*at, outline, depth)).collect();
-        Text { glyphs, depth, tree: Tree::new(&boxes) }
+        Text { glyphs, depth, parts: Parts::new(&boxes) }
     }
 
     fn search(&self, ray: &Ray, to: &mut impl Collect) {
-        self.tree.visit_ray(ray, to.range(), |i| {
+        self.parts.visit_ray(ray, to.range(), |i| {
             self.search_glyph(i, ray, to);
-            to.range()
+            to.range().1
         });
     }
 
@@ -81,13 +80,13 @@ impl Surface for Text {
     searched_from!(LEAST);
 
     fn bounds(&self) -> Aabb {
-        self.tree.bounds()
+        self.parts.bounds()
     }
 
     fn inside(&self, p: Vec3) -> bool {
         let mut inside = false;
         if 0.0 <= p.z && p.z <= self.depth {
-            self.tree.visit_point(p, |i| {
+            self.parts.visit_point(p, |i| {
                 let (at, outline) = &self.glyphs[i];
                 inside |= outline.contains(Vec2::new(p.x, p.y) - *at);
             });

@@ -1,0 +1,39 @@
+//! GIF: the first frame, with its palette.
+use std::io::Cursor;
+use std::num::NonZeroU64;
+
+use super::{DecodeError, MOST_PIXELS, checked_size, damaged};
+use crate::{Bitmap, FileCurve, Format, Pixels};
+
+pub(super) fn decode(bytes: &[u8]) -> Result<Bitmap, DecodeError> {
+    let error = |e: gif::DecodingError| damaged(Format::Gif)(e);
+    let mut options = gif::DecodeOptions::new();
+    options.set_color_output(gif::ColorOutput::Indexed);
+    options.set_memory_limit(match NonZeroU64::new(MOST_PIXELS as u64) {
+        Some(limit) => gif::MemoryLimit::Bytes(limit),
+        None => gif::MemoryLimit::Unlimited,
+    });
+    let mut decoder = options.read_info(Cursor::new(bytes)).map_err(error)?;
+    let (width, height) = checked_size(decoder.width().into(), decoder.height().into())?;
+    let shared = decoder.global_palette().map(<[u8]>::to_vec);
+    let background = decoder.bg_color().unwrap_or(0) as u8;
+    let frame = decoder.read_next_frame().map_err(error)?;
+    let frame = frame.ok_or_else(|| damaged(Format::Gif)("there is no frame"))?;
+    let palette = frame.palette.clone().or(shared).unwrap_or_default();
+    let transparent = frame.transparent.map(usize::from);
+    let alpha = |i: usize| if transparent == Some(i) { 0 } else { 255 };
+    let colors = palette.as_chunks::<3>().0.iter().enumerate();
+    let colors = colors.map(|(i, &[r, g, b])| [r, g, b, alpha(i)]).collect();
+
+    let mut indices = vec![background; width * height];
+    let (left, line) = (usize::from(frame.left), usize::from(frame.width));
+    for (row, source) in frame.buffer.chunks_exact(line.max(1)).enumerate() {
+        let start = (usize::from(frame.top) + row) * width + left;
+        let room = line.min(width.saturating_sub(left));
+        if let Some(target) = indices.get_mut(start..start + room) {
+            target.copy_from_slice(&source[..room]);
+        }
+    }
+    let pixels = Pixels::Palette { indices, colors };
+    Ok(Bitmap { width, height, pixels, curve: FileCurve::CustomSrgb, premultiplied: false })
+}
