@@ -11,7 +11,7 @@ use super::parts::Parts;
 use crate::texturing::PartUses;
 use crate::{LocalHit, Surface};
 
-/// Blobs report no hit nearer than this.
+/// Blobs report no hit nearer than this, in the world.
 const LEAST: f64 = 1e-2;
 /// Field values this little below the threshold count as inside.
 const TOLERANCE: f64 = 1e-6;
@@ -46,8 +46,8 @@ struct Span {
 type Spans = SmallVec<[Span; 16]>;
 
 impl Element {
-    fn new(component: &BlobComponent) -> Self {
-        let component_from_blob = component.blob_from_component.inverse();
+    fn new(component: &BlobComponent, world_from_blob: &Affine) -> Self {
+        let component_from_blob = (*world_from_blob * component.blob_from_component).inverse();
         let (unit_from_component, length) = match component.shape {
             BlobShape::Sphere { center, radius } => {
                 (transform::scale(Vec3::splat(1.0 / radius)) * transform::translate(-center), 0.0)
@@ -138,9 +138,9 @@ impl Span {
 }
 
 impl Blob {
-    /// A blob of the given components.
-    pub(crate) fn new(blob: &raggio_scene::Blob) -> Self {
-        let elements: Vec<_> = blob.components.iter().map(Element::new).collect();
+    /// A blob of the given components at its place: rays and points are then those of the world.
+    pub(crate) fn new(blob: &raggio_scene::Blob, world_from_blob: &Affine) -> Self {
+        let elements: Vec<_> = blob.components.iter().map(|c| Element::new(c, world_from_blob)).collect();
         let boxes: Vec<_> = elements.iter().map(Element::bounds).collect();
         Blob { threshold: blob.threshold, elements, parts: Parts::new(&boxes) }
     }

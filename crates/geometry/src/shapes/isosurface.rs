@@ -5,7 +5,7 @@
 use std::sync::Arc;
 
 use raggio_function::Function;
-use raggio_math::{Aabb, Ray, Vec3};
+use raggio_math::{Aabb, Affine, Ray, Vec3, transform};
 use raggio_scene::{Container, IsosurfaceEvaluate};
 
 use super::collect::{Collect, Nearest, searched_from};
@@ -29,12 +29,17 @@ pub(crate) struct Isosurface {
     evaluate: Option<IsosurfaceEvaluate>,
     max_trace: u32,
     open: bool,
+    /// Accuracy counts along the world's ray, so a surface at a place that stretches does its own transforming.
+    object_from_world: Affine,
+    world_from_object: Affine,
 }
 
 /// The function along a ray, above the threshold or, with the sign turned, below it.
 struct Search<'a> {
     surface: &'a Isosurface,
-    ray: &'a Ray,
+    /// In the object's coordinates; its direction is as long as a world unit is there.
+    ray: Ray,
+    stretch: f64,
     sign: f64,
     gradient: f64,
 }
@@ -50,8 +55,8 @@ impl Search<'_> {
         if length < self.surface.accuracy {
             return (b.1 < 0.0).then_some(b.0);
         }
-        self.learn((b.1 - a.1).abs() / length);
-        if a.1 + b.1 >= self.gradient * length {
+        self.learn((b.1 - a.1).abs() / (self.stretch * length));
+        if a.1 + b.1 >= self.gradient * self.stretch * length {
             return None;
         }
         let middle = 0.5 * (a.0 + b.0);
@@ -79,9 +84,9 @@ impl Search<'_> {
 }
 
 impl Isosurface {
-    /// Makes an isosurface ready. With `evaluate` the gradient is learnt here, from rays across the container, so that
+    /// Makes an isosurface ready at a place: rays, points and normals are then those of the world. With `evaluate` the gradient is learnt here, from rays across the container, so that
     /// the picture does not depend on the order of rays.
-    pub(crate) fn new(iso: &raggio_scene::Isosurface) -> Self {
+    pub(crate) fn new(iso: &raggio_scene::Isosurface, world_from_object: &Affine) -> Self {
         let mut surface = Isosurface {
             function: iso.function.clone(),
             container: iso.container,
@@ -91,6 +96,8 @@ impl Isosurface {
             evaluate: iso.evaluate,
             max_trace: iso.max_trace,
             open: iso.open,
+            object_from_world: world_from_object.inverse(),
+            world_from_object: *world_from_object,
         };
         if surface.evaluate.is_some() {
             surface.max_gradient = surface.learnt_gradient();
@@ -113,7 +120,7 @@ impl Isosurface {
                 at[(axis + 1) % 3] = share(k % PROBES);
                 at[(axis + 2) % 3] = share(k / PROBES);
                 let ray = Ray::new(bounds.min + at * bounds.size(), Vec3::AXES[axis]);
-                let gradient = self.trace(&ray, &mut Nearest::new((0.0, f64::INFINITY)));
+                let gradient = self.trace(ray, &mut Nearest::new((0.0, f64::INFINITY)));
                 greatest = greatest.max(gradient);
             }
         }
@@ -121,22 +128,23 @@ impl Isosurface {
     }
 
     fn search(&self, ray: &Ray, to: &mut impl Collect) {
-        self.trace(ray, to);
+        self.trace(ray.transformed(&self.object_from_world), to);
     }
 
-    /// Follows a ray; answers with the gradient as the ray leaves it.
-    fn trace(&self, ray: &Ray, to: &mut impl Collect) -> f64 {
-        let mut search = Search { surface: self, ray, sign: 1.0, gradient: self.max_gradient };
-        let span = container::span(&self.container, ray).filter(|s| s.1 > to.range().0 && s.0 < to.range().1);
+    /// Follows a ray of the object's coordinates; answers with the gradient as the ray leaves it.
+    fn trace(&self, ray: Ray, to: &mut impl Collect) -> f64 {
+        let stretch = ray.dir.length();
+        let mut search = Search { surface: self, ray, stretch, sign: 1.0, gradient: self.max_gradient };
+        let span = container::span(&self.container, &ray).filter(|s| s.1 > to.range().0 && s.0 < to.range().1);
         let Some((enter, leave)) = span else { return self.max_gradient };
         let mut left = self.max_trace;
         let last = search.value(leave);
         if !self.open && last < 0.0 {
-            self.push_wall(ray, leave, to);
+            self.push_wall(&ray, leave, to);
         }
         let mut at = (enter.max(0.0), search.value(enter.max(0.0)));
         if !self.open && enter > self.accuracy && at.1 < 0.0 {
-            self.push_wall(ray, enter, to);
+            self.push_wall(&ray, enter, to);
             left = left.saturating_sub(1);
         }
         // A ray that starts on the surface must not meet it again at once.
@@ -169,19 +177,23 @@ impl Surface for Isosurface {
     searched_from!(LEAST);
 
     fn bounds(&self) -> Aabb {
-        container::bounds(&self.container)
+        container::bounds(&self.container).transformed(&self.world_from_object)
     }
 
     fn inside(&self, p: Vec3) -> bool {
+        let p = self.object_from_world.transform_point3(p);
         container::contains(&self.container, p) && self.value(p) <= 0.0
     }
 
     fn normal(&self, p: Vec3, hit: &LocalHit) -> Vec3 {
-        if hit.part != SURFACE {
-            return container::wall_normal(&self.container, hit.part - 1, p);
-        }
-        let here = self.value(p);
-        let rise = |axis: Vec3| self.value(p + axis * self.accuracy) - here;
-        Vec3::new(rise(Vec3::X), rise(Vec3::Y), rise(Vec3::Z)).try_normalize().unwrap_or(Vec3::X)
+        let p = self.object_from_world.transform_point3(p);
+        let n = if hit.part == SURFACE {
+            let here = self.value(p);
+            let rise = |axis: Vec3| self.value(p + axis * self.accuracy) - here;
+            Vec3::new(rise(Vec3::X), rise(Vec3::Y), rise(Vec3::Z)).try_normalize().unwrap_or(Vec3::X)
+        } else {
+            container::wall_normal(&self.container, hit.part - 1, p)
+        };
+        transform::normal_by_inverse(&self.object_from_world, n).try_normalize().unwrap_or(Vec3::X)
     }
 }

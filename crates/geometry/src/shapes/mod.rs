@@ -148,7 +148,7 @@ pub(crate) fn build(shape: &Shape) -> Result<ShapeKind, BuildError> {
         Shape::HeightField(field) => {
             ShapeKind::HeightField(Box::new(height_field::HeightField::new(field.clone())))
         }
-        Shape::Blob(blob) => ShapeKind::Blob(blob::Blob::new(blob)),
+        Shape::Blob(blob) => ShapeKind::Blob(blob::Blob::new(blob, &Affine::IDENTITY)),
         Shape::Julia(julia) => ShapeKind::Julia(Box::new(julia::Julia::new(julia))),
         Shape::Lathe { curves, .. } => ShapeKind::Lathe(lathe::Lathe::new(curves)),
         Shape::Sor { points, open } => ShapeKind::Sor(sor::Sor::new(points, *open)),
@@ -157,7 +157,7 @@ pub(crate) fn build(shape: &Shape) -> Result<ShapeKind, BuildError> {
             ShapeKind::SphereSweep(sphere_sweep::SphereSweep::new(*kind, spheres, *tolerance))
         }
         Shape::Text { glyphs, depth } => ShapeKind::Text(text::Text::new(glyphs, *depth)),
-        Shape::Isosurface(iso) => ShapeKind::Isosurface(Box::new(isosurface::Isosurface::new(iso))),
+        Shape::Isosurface(iso) => isosurface(iso, &Affine::IDENTITY),
         Shape::Parametric(p) => ShapeKind::Parametric(Box::new(parametric::Parametric::new(p))),
     })
 }
@@ -171,8 +171,23 @@ pub(crate) fn moved(shape: &Shape, world_from_object: &Affine) -> Option<ShapeKi
     match shape {
         Shape::Triangle { points } => Some(triangle(points, None, world_from_object)),
         Shape::SmoothTriangle { points, normals } => Some(triangle(points, Some(normals), world_from_object)),
+        // Their least distance and accuracy are measured in the world.
+        Shape::Blob(blob) if !is_rigid(world_from_object) => {
+            Some(ShapeKind::Blob(blob::Blob::new(blob, world_from_object)))
+        }
+        Shape::Isosurface(iso) if !is_rigid(world_from_object) => Some(isosurface(iso, world_from_object)),
         _ => None,
     }
+}
+
+fn isosurface(iso: &raggio_scene::Isosurface, place: &Affine) -> ShapeKind {
+    ShapeKind::Isosurface(Box::new(isosurface::Isosurface::new(iso, place)))
+}
+
+/// Does the transform keep all distances?
+fn is_rigid(t: &Affine) -> bool {
+    let product = t.matrix3.transpose() * t.matrix3;
+    product.abs_diff_eq(raggio_math::Mat3::IDENTITY, 1e-9)
 }
 
 /// Shapes that `inverse` changes in themselves; `None` for all others, whose inside and normal are turned by whoever
