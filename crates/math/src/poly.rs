@@ -2,7 +2,7 @@
 //!
 //! Between two neighbouring critical points a polynomial is monotonic, so it has a root there exactly when its signs
 //! at the two differ. The critical points are the roots of the derivative, found the same way; the chain ends at a
-//! quadratic. (Yuksel, "High-Performance Polynomial Root Finding for Graphics", 2022.) Unlike closed forms the method
+//! cubic. (Yuksel, "High-Performance Polynomial Root Finding for Graphics", 2022.) Unlike closed forms the method
 //! never loses one of a pair of roots to cancellation: at a grazing ray both are found or neither is.
 //!
 //! Coefficients rise: `c[k]` belongs to `t^k`. An array of `N` coefficients has degree `N - 1`; high ones may be zero.
@@ -62,7 +62,7 @@ pub fn quadratic(c: [f64; 3]) -> Roots<3> {
         return roots;
     }
     let half = -0.5 * c1;
-    let disc = half.mul_add(half, -c2 * c0);
+    let disc = half * half - c2 * c0;
     if disc.is_nan() || disc < 0.0 {
         return roots;
     }
@@ -88,9 +88,21 @@ pub fn real_roots<const N: usize>(c: &[f64; N]) -> Roots<N> {
 
 /// The roots in `lo..=hi`, sorted. Either end may be infinite.
 pub fn roots_in<const N: usize>(c: &[f64; N], lo: f64, hi: f64) -> Roots<N> {
+    let mut roots = Roots::NONE;
+    visit_roots_in(c, lo, hi, |x| {
+        roots.push(x);
+        true
+    });
+    roots
+}
+
+/// Calls `visit` with the roots in `lo..=hi`, the least first, for as long as it answers true: what comes after is not
+/// worked out.
+#[inline]
+pub fn visit_roots_in<const N: usize>(c: &[f64; N], lo: f64, hi: f64, visit: impl FnMut(f64) -> bool) {
     let n = degree(c);
     if n == 0 || !c.iter().all(|x| x.is_finite()) {
-        return Roots::NONE;
+        return;
     }
     let (lo, hi) = if lo.is_finite() && hi.is_finite() {
         (lo, hi)
@@ -98,20 +110,23 @@ pub fn roots_in<const N: usize>(c: &[f64; N], lo: f64, hi: f64) -> Roots<N> {
         let bound = root_bound(&c[..=n]);
         (lo.max(-bound), hi.min(bound))
     };
-    if lo.is_nan() || hi.is_nan() || lo > hi {
-        return Roots::NONE;
+    if lo <= hi {
+        solve(c, n, (lo, eval(&c[..=n], lo)), (hi, eval(&c[..=n], hi)), visit);
     }
-    solve(c, n, (lo, eval(&c[..=n], lo)), (hi, eval(&c[..=n], hi)))
 }
 
 /// The roots in `0..=1`, where the values at the ends are known better than the coefficients tell: pieces of a curve
 /// that share an end then agree about its side.
 pub fn roots_in_unit<const N: usize>(c: &[f64; N], at_zero: f64, at_one: f64) -> Roots<N> {
-    match degree(c) {
-        0 => Roots::NONE,
-        _ if !c.iter().all(|x| x.is_finite()) => Roots::NONE,
-        n => solve(c, n, (0.0, at_zero), (1.0, at_one)),
+    let mut roots = Roots::NONE;
+    let n = degree(c);
+    if n > 0 && c.iter().all(|x| x.is_finite()) {
+        solve(c, n, (0.0, at_zero), (1.0, at_one), |x| {
+            roots.push(x);
+            true
+        });
     }
+    roots
 }
 
 /// The roots in `0..=1` of the polynomial whose Bernstein coefficients are `b`. The signs at the ends are those of the
@@ -176,62 +191,127 @@ fn derivative<const N: usize>(c: &[f64; N], n: usize, k: usize) -> [f64; N] {
     d
 }
 
-/// The chain from the quadratic derivative up to the polynomial itself, on the interval between two samples.
-fn solve<const N: usize>(c: &[f64; N], n: usize, lo: (f64, f64), hi: (f64, f64)) -> Roots<N> {
-    if n <= 2 {
-        return low_degree(c, n, lo, hi);
-    }
-    let top = derivative(c, n, n - 2);
-    let mut knots = Roots::NONE;
-    for &x in quadratic([top[0], top[1], top[2]]).iter().filter(|&&x| lo.0 < x && x < hi.0) {
-        knots.push(x);
-    }
-    for k in (1..=n - 3).rev() {
-        let q = derivative(c, n, k);
-        let q = &q[..=n - k];
-        knots = crossings(q, &knots, (lo.0, eval(q, lo.0)), (hi.0, eval(q, hi.0)), 1e-10);
-    }
-    crossings(&c[..=n], &knots, lo, hi, 1e-15)
-}
+/// Steps this small, as a share of the interval, end the search for a critical point and for a root. Newton's method
+/// doubles the digits with each step, so what is left is far smaller.
+const KNOT_STEP: f64 = 1e-6;
+const ROOT_STEP: f64 = 1e-9;
 
-/// Degree 1 and 2; the vertex is the only critical point.
-fn low_degree<const N: usize>(c: &[f64; N], n: usize, lo: (f64, f64), hi: (f64, f64)) -> Roots<N> {
-    let mut knots = Roots::NONE;
-    if n == 2 {
-        let vertex = -0.5 * c[1] / c[2];
-        if lo.0 < vertex && vertex < hi.0 {
-            knots.push(vertex);
+/// The chain from the lowest derivative up to the polynomial itself, on the interval between two samples.
+#[inline]
+fn solve<const N: usize>(
+    c: &[f64; N],
+    n: usize,
+    lo: (f64, f64),
+    hi: (f64, f64),
+    mut visit: impl FnMut(f64) -> bool,
+) {
+    let mut knots: Roots<N> = Roots::NONE;
+    let mut add = |x: f64| {
+        if lo.0 < x && x < hi.0 {
+            knots.push(x);
+        }
+    };
+    match n {
+        1 => {}
+        2 => add(-0.5 * c[1] / c[2]),
+        3 => quadratic([c[1], 2.0 * c[2], 3.0 * c[3]]).iter().for_each(|&x| add(x)),
+        _ => {
+            let top = derivative(c, n, n - 3);
+            cubic_knots([top[0], top[1], top[2], top[3]]).iter().for_each(|&x| add(x));
         }
     }
-    crossings(&c[..=n], &knots, lo, hi, 1e-15)
+    for k in (1..n.saturating_sub(3)).rev() {
+        let q = derivative(c, n, k);
+        let q = &q[..=n - k];
+        let mut next = Roots::NONE;
+        let (first, last) = ((lo.0, eval(q, lo.0)), (hi.0, eval(q, hi.0)));
+        crossings(q, &knots, first, last, KNOT_STEP, |x| {
+            next.push(x);
+            true
+        });
+        knots = next;
+    }
+    crossings(&c[..=n], &knots, lo, hi, ROOT_STEP, &mut visit);
+}
+
+/// The roots of a cubic, sorted, well enough to tell where another polynomial turns: Newton's method from beyond the
+/// inflection for one of them, then the quadratic that is left (Deiters and Macias-Salinas, 2014).
+fn cubic_knots(c: [f64; 4]) -> Roots<3> {
+    let (b, a1, a0) = (c[2] / c[3], c[1] / c[3], c[0] / c[3]);
+    let inflection = -b / 3.0;
+    let value = |x: f64| ((x + b) * x + a1) * x + a0;
+    let at_inflection = value(inflection);
+    let spread = b * b - 3.0 * a1;
+    let mut x = inflection;
+    if spread > 0.0 {
+        x -= (2.0 / 3.0 * spread.sqrt()).copysign(at_inflection);
+    }
+    for _ in 0..40 {
+        let (v, slope) = eval_with_slope(&[a0, a1, b, 1.0], x);
+        let next = x - v / slope;
+        if !next.is_finite() {
+            break;
+        }
+        let step = (next - x).abs();
+        x = next;
+        if step <= 1e-7 * x.abs() {
+            break;
+        }
+    }
+    // Divide the root out from the end that loses no digits.
+    let (q0, q1) = if (x * x * x).abs() > a0.abs() {
+        let q0 = -a0 / x;
+        (q0, (q0 - a1) / x)
+    } else {
+        (a1 + x * (b + x), b + x)
+    };
+    let mut roots = quadratic([q0, q1, 1.0]);
+    roots.push(x);
+    let count = roots.len;
+    roots.values[..count].sort_unstable_by(f64::total_cmp);
+    roots
 }
 
 /// One root in each gap between neighbouring knots at which the signs differ.
+#[inline]
 fn crossings<const N: usize>(
     c: &[f64],
     knots: &Roots<N>,
     lo: (f64, f64),
     hi: (f64, f64),
-    tolerance: f64,
-) -> Roots<N> {
-    let mut roots = Roots::NONE;
+    least_step: f64,
+    mut visit: impl FnMut(f64) -> bool,
+) {
     let mut left = lo;
     for i in 0..=knots.len {
         let right = if i < knots.len { (knots.values[i], eval(c, knots.values[i])) } else { hi };
         if (left.1 < 0.0) != (right.1 < 0.0) {
-            roots.push(refine(c, left, right, tolerance));
+            let guess = guess(left, right, i > 0, i < knots.len);
+            if !visit(refine(c, left, right, guess, least_step)) {
+                return;
+            }
         }
         left = right;
     }
-    roots
+}
+
+/// Where the root may lie between two samples, each of which may be a place where the curve is level.
+fn guess(left: (f64, f64), right: (f64, f64), level_left: bool, level_right: bool) -> f64 {
+    let share = left.1 / (left.1 - right.1);
+    let share = match (level_left, level_right) {
+        (true, false) => share.sqrt(),
+        (false, true) => 1.0 - (1.0 - share).sqrt(),
+        _ => share,
+    };
+    left.0 + (right.0 - left.0) * share.clamp(0.02, 0.98)
 }
 
 /// Newton's method kept inside a shrinking bracket.
-fn refine(c: &[f64], left: (f64, f64), right: (f64, f64), tolerance: f64) -> f64 {
+fn refine(c: &[f64], left: (f64, f64), right: (f64, f64), guess: f64, least_step: f64) -> f64 {
     let (mut lo, mut hi) = (left.0, right.0);
     let rising = left.1 < 0.0;
-    let floor = (hi - lo) * 1e-40;
-    let mut x = 0.5 * (lo + hi);
+    let least = (hi - lo) * least_step;
+    let mut x = guess;
     for _ in 0..300 {
         let (v, slope) = eval_with_slope(c, x);
         if v == 0.0 {
@@ -243,8 +323,11 @@ fn refine(c: &[f64], left: (f64, f64), right: (f64, f64), tolerance: f64) -> f64
             hi = x;
         }
         let newton = x - v / slope;
-        let next = if newton > lo && newton < hi { newton } else { 0.5 * (lo + hi) };
-        if (next - x).abs() <= tolerance * next.abs() + floor {
+        let inside = newton > lo && newton < hi;
+        let next = if inside { newton } else { 0.5 * (lo + hi) };
+        let step = (next - x).abs();
+        // Small against the interval, and, in case the interval is vast, against the root as well.
+        if (inside && step <= least.min(1e-8 * next.abs())) || step <= 1e-15 * next.abs() {
             return next;
         }
         x = next;

@@ -10,6 +10,12 @@ pub(crate) trait Collect {
     fn range(&self) -> (f64, f64);
     /// Takes a hit if it lies in the range.
     fn push(&mut self, hit: LocalHit);
+    /// Takes a hit; are farther ones still wanted?
+    #[inline]
+    fn take(&mut self, hit: LocalHit) -> bool {
+        self.push(hit);
+        hit.t < self.range().1
+    }
 }
 
 /// Keeps every hit.

@@ -9,7 +9,6 @@ use raggio_math::{Aabb, Ray, Vec3};
 use smallvec::SmallVec;
 
 use super::collect::{Collect, searched_from};
-use super::revolve::clip_to_slab;
 use crate::{LocalHit, Surface};
 
 const LEAST: f64 = 1e-6;
@@ -43,15 +42,21 @@ struct Level {
 #[derive(Clone, Copy)]
 struct Stretch {
     ray: Ray,
+    /// One over each part of the direction.
+    inverse: Vec3,
     lo: f64,
     hi: f64,
 }
 
 impl Stretch {
     fn clipped(mut self, axis: usize, slab: (f64, f64)) -> Option<Stretch> {
-        (self.lo, self.hi) =
-            clip_to_slab(self.ray.origin[axis], self.ray.dir[axis], slab, (self.lo, self.hi))?;
-        Some(self)
+        let o = self.ray.origin[axis];
+        if self.ray.dir[axis] == 0.0 {
+            return (slab.0 <= o && o <= slab.1).then_some(self);
+        }
+        let (a, b) = ((slab.0 - o) * self.inverse[axis], (slab.1 - o) * self.inverse[axis]);
+        (self.lo, self.hi) = (self.lo.max(a.min(b)), self.hi.min(a.max(b)));
+        (self.lo <= self.hi).then_some(self)
     }
 }
 
@@ -73,6 +78,7 @@ impl HeightField {
 
     fn search(&self, ray: &Ray, to: &mut impl Collect) {
         let ray = Ray::new(ray.origin / self.scale, ray.dir / self.scale);
+        let inverse = ray.dir.recip();
         let (lo, hi) = to.range();
         // Blocks still to be walked, nearest on top.
         let mut stack: SmallVec<[(usize, usize, usize); 64]> = SmallVec::new();
@@ -80,7 +86,7 @@ impl HeightField {
             stack.push((top, 0, 0));
         }
         while let Some((level, i, j)) = stack.pop() {
-            let stretch = Stretch { ray, lo, hi: hi.min(to.range().1) };
+            let stretch = Stretch { ray, inverse, lo, hi: hi.min(to.range().1) };
             let Some(stretch) = self.clip_to_block(stretch, level, i, j) else { continue };
             if level == 0 {
                 self.search_cell(stretch, i, j, to);
@@ -120,7 +126,7 @@ impl HeightField {
     }
 
     fn search_cell(&self, stretch: Stretch, i: usize, j: usize, to: &mut impl Collect) {
-        let Stretch { ray, lo, hi } = stretch;
+        let Stretch { ray, lo, hi, .. } = stretch;
         // Where the ray crosses the diagonal from (i + 1, j) to (i, j + 1).
         let (o, d) = (ray.origin, ray.dir);
         let before = (o.x - i as f64) + (o.z - j as f64) - 1.0;

@@ -135,7 +135,8 @@ impl Isosurface {
     fn trace(&self, ray: Ray, to: &mut impl Collect) -> f64 {
         let stretch = ray.dir.length();
         let mut search = Search { surface: self, ray, stretch, sign: 1.0, gradient: self.max_gradient };
-        let span = container::span(&self.container, &ray).filter(|s| s.1 > to.range().0 && s.0 < to.range().1);
+        let span =
+            container::span(&self.container, &ray).filter(|s| s.1 > to.range().0 && s.0 < to.range().1);
         let Some((enter, leave)) = span else { return self.max_gradient };
         let mut left = self.max_trace;
         let last = search.value(leave);

@@ -100,9 +100,7 @@ impl Poly {
         let shift = -ray.origin.dot(ray.dir);
         let along = self.along::<N>(&Ray::new(ray.at(shift), ray.dir));
         let (lo, hi) = to.range();
-        for &t in poly::roots_in(&along, lo - shift, hi - shift).iter() {
-            to.push(LocalHit::at(shift + t));
-        }
+        poly::visit_roots_in(&along, lo - shift, hi - shift, |t| to.take(LocalHit::at(shift + t)));
     }
 
     /// The polynomial in t that the surface's polynomial becomes on the ray.

@@ -46,13 +46,13 @@ impl Power {
 /// `None` where the orbit of `q` stays bounded for `steps` steps, else a lower estimate of the distance to the set (Hart,
 /// Sandin and Kauffman, 1989).
 pub(crate) fn orbit(power: Power, mut q: Vec4, c: Vec4, steps: u32, escape: f64) -> Option<f64> {
-    let mut product = 1.0;
+    let mut product2 = 1.0;
     for _ in 0..steps {
         let size2 = q.length_squared();
         if size2.is_nan() || size2 > escape {
-            return Some(0.25 * size2.sqrt() * size2.ln() / product);
+            return Some(0.25 * (size2 / product2).sqrt() * size2.ln());
         }
-        product *= power.degree() * size2.sqrt();
+        product2 *= power.degree() * power.degree() * size2;
         q = power.of(q) + c;
     }
     None

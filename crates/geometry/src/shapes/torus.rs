@@ -31,9 +31,7 @@ impl Torus {
         // Distances from the middle of what is left of the ray keep the coefficients small.
         let middle = 0.5 * (lo + hi);
         let quartic = torus_quartic(&Ray::new(ray.at(middle), ray.dir), self.major, self.minor);
-        for &t in poly::roots_in(&quartic, lo - middle, hi - middle).iter() {
-            to.push(LocalHit::at(middle + t));
-        }
+        poly::visit_roots_in(&quartic, lo - middle, hi - middle, |t| to.take(LocalHit::at(middle + t)));
     }
 }
 
