@@ -34,6 +34,10 @@ pub enum RayClass {
     Radiosity,
     /// Towards a light: skips `no_shadow`.
     Shadow,
+    /// A photon that no surface has reflected: skips `no_shadow` and `no_image`.
+    Photon,
+    /// A photon with a reflection in its history: skips `no_shadow` and `no_reflection`.
+    ReflectedPhoton,
     /// `trace` and inside questions: skips nothing.
     Any,
 }
@@ -46,6 +50,8 @@ impl RayClass {
             RayClass::Reflected => 2,
             RayClass::Radiosity => 4,
             RayClass::Shadow => 8,
+            RayClass::Photon => 8 | 1,
+            RayClass::ReflectedPhoton => 8 | 2,
             RayClass::Any => 0,
         }
     }
@@ -214,6 +220,43 @@ impl Geometry {
         let hit = self.tree.group_closest(&self.world, ray, range, class.bit(), &mut scratch);
         SCRATCH.set(scratch);
         hit
+    }
+
+    /// Like [`Geometry::closest`], but any hit that `stops` says yes to ends the search: the answer is the nearest hit,
+    /// or one that stops. For shadow rays.
+    pub fn blocker(
+        &self,
+        ray: &Ray,
+        range: (f64, f64),
+        class: RayClass,
+        stops: impl Fn(&Hit) -> bool,
+    ) -> Option<Hit> {
+        let range = (range.0.max(MIN_HIT), range.1.min(MAX_DISTANCE));
+        let mut scratch = SCRATCH.take();
+        let mut best: Option<Hit> = None;
+        self.world.surfaces.closest(ray, range, |index, far| {
+            let member = &self.world.members[index as usize];
+            if member.skip & class.bit() != 0 || far <= range.0 {
+                return None;
+            }
+            let hit = self.tree.closest(member.node, ray, (range.0, far), class.bit(), &mut scratch)?;
+            best = Some(hit);
+            // Nothing can be nearer than the start of the range, so that the search ends.
+            Some(if stops(&hit) { range.0 } else { hit.t })
+        });
+        SCRATCH.set(scratch);
+        best
+    }
+
+    /// The material at a hit.
+    pub fn material_at(&self, hit: &Hit) -> MaterialId {
+        self.tree.leaves.leaves[hit.leaf as usize].material
+    }
+
+    /// The material of a leaf whose textures are that material's alone; `None` where parts of the leaf have their own.
+    pub fn plain_material(&self, leaf: u32) -> Option<MaterialId> {
+        let plain = self.parts.is_empty() || !self.parts.contains_key(&leaf);
+        plain.then(|| self.tree.leaves.leaves[leaf as usize].material)
     }
 
     /// What is known about the surface at a hit.

@@ -16,6 +16,8 @@ pub use random::{hash3, random, random3};
 pub use turbulence::{dturbulence, turbulence};
 pub use waves::{WaveSource, wave_sources};
 
+pub use random::hash;
+
 use crate::Vec3;
 
 /// Scalar noise in 0..=1 at a point. `generator` is 1 (original), 2 (range corrected) or 3 (gradient noise); any other

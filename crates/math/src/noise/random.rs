@@ -28,6 +28,12 @@ pub fn hash3(a: i64, b: i64, c: i64) -> usize {
     h(h(h(low(a)) ^ low(b)) ^ low(c))
 }
 
+/// The hash table of lattice noise itself, 0..=4095; the argument counts modulo 4096.
+#[inline]
+pub fn hash(i: i64) -> usize {
+    usize::from(HASH[(i & 4095) as usize])
+}
+
 fn table() -> Box<[f64; SIZE]> {
     let mut twister = Mt19937::new(5489);
     Box::new(std::array::from_fn(|_| f64::from(twister.next()) / 4_294_967_296.0))

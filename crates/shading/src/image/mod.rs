@@ -65,7 +65,9 @@ impl Image {
     /// The heights that `bump_map` compares: here, below to the left, and below to the right, all times `size`.
     pub fn heights(&self, p: Vec3, size: f64) -> Option<[f64; 3]> {
         let here = self.place(p)?;
-        let beside = |dx: f64| Place { x: here.x + dx, y: here.y + 1.0 };
+        let (width, height) = (self.map.source.bitmap.width as f64, self.map.source.bitmap.height as f64);
+        let beside =
+            |dx: f64| Place { x: (here.x + dx).rem_euclid(width), y: (here.y + 1.0).rem_euclid(height) };
         Some([here, beside(-1.0), beside(1.0)].map(|place| size * self.height_at(place)))
     }
 

@@ -19,7 +19,7 @@ pub(crate) enum Metric {
     Euclid,
     /// Sum of absolute differences.
     Manhattan,
-    /// Sum of differences with their signs: what `facets` makes of metric 1.
+    /// Sum of the feature point's lead over the place, with signs: what `facets` makes of metric 1.
     Signed,
     /// Sum of powers.
     Power(f64),
@@ -45,7 +45,7 @@ impl Metric {
         match self {
             Metric::Euclid => d.length_squared(),
             Metric::Manhattan => d.abs().element_sum(),
-            Metric::Signed => d.element_sum(),
+            Metric::Signed => -d.element_sum(),
             Metric::Power(m) => d.x.abs().powf(m) + d.y.abs().powf(m) + d.z.abs().powf(m),
         }
     }

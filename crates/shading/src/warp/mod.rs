@@ -44,7 +44,7 @@ impl WarpList {
             match (Op::compile(warp), ops.last_mut()) {
                 (Op::Transform(next), Some(Op::Transform(last))) => {
                     last.inverse = next.inverse * last.inverse;
-                    last.forward = last.forward * next.forward;
+                    last.forward *= next.forward;
                 }
                 (op, _) => ops.push(op),
             }

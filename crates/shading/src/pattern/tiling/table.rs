@@ -17,6 +17,7 @@ pub(super) struct TilingData {
 
 /// Tilings 1 to 21.
 #[rustfmt::skip]
+#[allow(clippy::approx_constant)] // corners, which only happen to be well-known numbers
 pub(super) static TILINGS: [TilingData; 21] = [
     // 1
     TilingData { classes: 1, rho: 0.5, lattice: [(1.0, 0.0), (0.0, 1.0)], tiles: &[

@@ -74,8 +74,8 @@ pub fn image_map(name: &str) -> ImageMap {
 /// A density file by its name.
 pub fn density(name: &str) -> DensityFile {
     let bytes: &[u8] = match name {
-        "tex_8.df3" => include_bytes!("../data/tex_8.df3"),
-        "tex_16.df3" => include_bytes!("../data/tex_16.df3"),
+        "tex_8.df3" => include_bytes!("../../data/tex_8.df3"),
+        "tex_16.df3" => include_bytes!("../../data/tex_16.df3"),
         other => panic!("no density file {other}"),
     };
     let number = |b: &[u8]| b.iter().fold(0_u32, |n, &b| n << 8 | u32::from(b));

@@ -1,8 +1,8 @@
 //! Every pattern, wave form and warp against values recorded from the language's reference renderer.
-mod statement;
-
 use raggio_math::Vec3;
 use raggio_shading::{Context, Noise, Pattern};
+
+use crate::statement;
 
 /// Points of a statement and the recorded values.
 struct Sample {
@@ -13,7 +13,7 @@ struct Sample {
 /// Rows `pattern,statement,x,y,z,value`; a statement with commas or quotes stands in quotes.
 fn samples() -> Vec<Sample> {
     let mut samples: Vec<Sample> = Vec::new();
-    for line in include_str!("data/pattern_samples.csv").lines().skip(1) {
+    for line in include_str!("../data/pattern_samples.csv").lines().skip(1) {
         let (rest, numbers) = split_numbers(line);
         let statement = rest.split_once(',').map_or(rest, |(_, statement)| statement);
         if samples.last().is_none_or(|last| last.statement != statement) {
@@ -61,7 +61,7 @@ fn every_recorded_value_is_met() {
     let samples = samples();
     assert_eq!(samples.len(), 199);
     let mut failures = Vec::new();
-    for sample in samples.iter().filter(|s| !s.statement.trim_matches('"').starts_with("object")) {
+    for sample in &samples {
         assert!(sample.points.len() >= 44, "{}", sample.statement);
         let (error, p, expected, actual) = worst(sample);
         if error > tolerance(sample.statement) {
