@@ -1,0 +1,2 @@
+// error[rand-stream] 2:13
+sphere { 0, rand(5) }

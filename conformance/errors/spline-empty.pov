@@ -1,0 +1,2 @@
+// error[expected] 2:37
+#declare S = spline { linear_spline }

@@ -1,0 +1,2 @@
+// error[unexpected] 2:14
+sphere { 0, 1..5 }

@@ -1,0 +1,3 @@
+// error[unclosed] 2:1 comment
+/* no end
+sphere { 0, 1 }

@@ -1,0 +1,3 @@
+// error[unclosed] 2:8
+#debug "no end
+sphere { 0, 1 }
