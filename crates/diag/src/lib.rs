@@ -5,6 +5,8 @@
 #![warn(missing_docs)]
 
 mod diagnostic;
+mod json;
+mod render;
 mod source;
 
 pub use diagnostic::{Diagnostic, Frame, Severity};

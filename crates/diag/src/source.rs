@@ -1,4 +1,5 @@
 //! Source texts and places in them.
+use std::ops::Range;
 use std::sync::Arc;
 
 /// Which source file.
@@ -36,6 +37,19 @@ pub struct Source {
     line_starts: Vec<u32>,
 }
 
+impl Source {
+    /// The bytes of a line, counted from 0, without its end.
+    pub(crate) fn line(&self, index: usize) -> Range<usize> {
+        let size = self.text.len();
+        let start = self.line_starts.get(index).map_or(size, |&s| s as usize);
+        let mut end = self.line_starts.get(index + 1).map_or(size, |&s| s as usize);
+        while end > start && matches!(self.text[end - 1], b'\r' | b'\n') {
+            end -= 1;
+        }
+        start..end
+    }
+}
+
 /// All source texts of one run.
 #[derive(Clone, Debug, Default)]
 pub struct Sources {
@@ -61,6 +75,13 @@ impl Sources {
         let starts = &self.get(span.file).line_starts;
         let line = starts.partition_point(|&s| s <= span.start);
         (line, (span.start - starts[line - 1]) as usize + 1)
+    }
+
+    /// The bytes of a span as far as they are on its first line.
+    pub(crate) fn on_one_line(&self, span: Span) -> Range<usize> {
+        let line = self.get(span.file).line(self.line_column(span).0 - 1);
+        let start = (span.start as usize).min(line.end.max(line.start));
+        start..(span.end as usize).clamp(start, line.end.max(start))
     }
 }
 

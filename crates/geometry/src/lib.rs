@@ -3,8 +3,15 @@
 //! Invariants: [`Geometry::build`] may fail, nothing after it can. A [`Hit`] is a few words; the [`Interaction`] is made
 //! once, for the winner. Deliberately absent: colours, lights' effects, cameras.
 
+mod flatten;
+mod index;
+mod leaf;
+mod materials;
+mod shape_pool;
 mod shapes;
 mod surface;
+mod texturing;
+mod tree;
 mod world;
 
 pub use surface::{LocalHit, Surface};

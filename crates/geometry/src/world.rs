@@ -1,9 +1,14 @@
 //! A scene's objects, compiled: what rays are shot at.
+use std::cell::Cell;
 use std::sync::Arc;
 
-use raggio_math::{Aabb, Affine, Ray, Vec2, Vec3};
+use raggio_math::{Aabb, Affine, MAX_DISTANCE, MIN_HIT, Ray, Vec2, Vec3};
 use raggio_scene::{Interior, Light, Object, PhotonFlags, Placed, Scene, Texture};
 use smallvec::SmallVec;
+
+use crate::flatten::{Flat, flatten};
+use crate::texturing::{Parts, Texturing};
+use crate::tree::{Group, Node, NodeRef, Scratch, Tree};
 
 /// Index of a [`Material`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -33,6 +38,19 @@ pub enum RayClass {
     Any,
 }
 
+impl RayClass {
+    /// The bit that stands for it in sets of classes.
+    pub(crate) const fn bit(self) -> u8 {
+        match self {
+            RayClass::Camera => 1,
+            RayClass::Reflected => 2,
+            RayClass::Radiosity => 4,
+            RayClass::Shadow => 8,
+            RayClass::Any => 0,
+        }
+    }
+}
+
 /// A texture at its place in the world.
 #[derive(Clone, Debug)]
 pub struct PlacedTexture {
@@ -43,7 +61,7 @@ pub struct PlacedTexture {
 }
 
 /// What hangs on a leaf of the object tree, all inheritance done.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Material {
     /// `None` only where cutaway textures decide.
     pub texture: Option<TextureId>,
@@ -144,38 +162,157 @@ pub struct Geometry {
     pub interiors: Vec<InteriorInfo>,
     /// Lights found in the tree, global ones and those of groups, in the order of the scene.
     pub lights: Vec<PlacedLight>,
+    tree: Tree,
+    /// The outermost union.
+    world: Group,
+    bounds: Aabb,
+    parts: Parts,
 }
 
-#[allow(unused_variables, clippy::todo, clippy::missing_errors_doc)]
+thread_local! {
+    /// Room for lists of hits, so that no ray allocates.
+    static SCRATCH: Cell<Scratch> = Cell::default();
+}
+
 impl Geometry {
     /// Compiles a scene's objects.
+    ///
+    /// # Errors
+    /// If the scene has a kind of shape that is not supported.
     pub fn build(scene: &Scene) -> Result<Geometry, BuildError> {
-        todo!()
+        flatten(&scene.objects, false).map(Geometry::new)
     }
-    /// Compiles one object on its own: for `trace`, `inside`, the object pattern, `projected_through`.
+
+    /// Compiles one object on its own: for `trace`, `inside`, the object pattern, `projected_through`. It keeps all
+    /// its bounds.
+    ///
+    /// # Errors
+    /// If the object has a kind of shape that is not supported.
     pub fn of_object(object: &Arc<Object>) -> Result<Geometry, BuildError> {
-        todo!()
+        flatten(std::slice::from_ref(object), true).map(Geometry::new)
     }
-    /// The nearest hit with `t_min < t < t_max` (world distance; `ray.dir` is of unit length).
+
+    fn new(flat: Flat) -> Self {
+        let Flat { leaves, groups, world, bounds, materials, lights, parts } = flat;
+        Geometry {
+            materials: materials.materials,
+            textures: materials.textures,
+            interiors: materials.interiors,
+            lights,
+            tree: Tree { leaves, groups },
+            world,
+            bounds,
+            parts,
+        }
+    }
+
+    /// The nearest hit with `t_min < t < t_max` (world distance; `ray.dir` is of unit length). Nothing nearer than
+    /// [`MIN_HIT`] or farther than [`MAX_DISTANCE`] is ever hit.
     pub fn closest(&self, ray: &Ray, range: (f64, f64), class: RayClass) -> Option<Hit> {
-        todo!()
+        let range = (range.0.max(MIN_HIT), range.1.min(MAX_DISTANCE));
+        let mut scratch = SCRATCH.take();
+        let hit = self.tree.group_closest(&self.world, ray, range, class.bit(), &mut scratch);
+        SCRATCH.set(scratch);
+        hit
     }
+
+    /// Like [`Geometry::closest`], but any hit that `stops` says yes to ends the search: the answer is the nearest hit,
+    /// or one that stops. For shadow rays.
+    pub fn blocker(
+        &self,
+        ray: &Ray,
+        range: (f64, f64),
+        class: RayClass,
+        stops: impl Fn(&Hit) -> bool,
+    ) -> Option<Hit> {
+        let range = (range.0.max(MIN_HIT), range.1.min(MAX_DISTANCE));
+        let mut scratch = SCRATCH.take();
+        let mut best: Option<Hit> = None;
+        self.world.surfaces.closest(ray, range, |index, far| {
+            let member = &self.world.members[index as usize];
+            if member.skip & class.bit() != 0 || far <= range.0 {
+                return None;
+            }
+            let hit = self.tree.closest(member.node, ray, (range.0, far), class.bit(), &mut scratch)?;
+            best = Some(hit);
+            // Nothing can be nearer than the start of the range, so that the search ends.
+            Some(if stops(&hit) { range.0 } else { hit.t })
+        });
+        SCRATCH.set(scratch);
+        best
+    }
+
+    /// The material of a leaf whose textures are that material's alone; `None` where parts of the leaf have their own.
+    pub fn plain_material(&self, leaf: u32) -> Option<MaterialId> {
+        let plain = self.parts.is_empty() || !self.parts.contains_key(&leaf);
+        plain.then(|| self.tree.leaves.leaves[leaf as usize].material)
+    }
+
     /// What is known about the surface at a hit.
     pub fn interaction(&self, ray: &Ray, hit: &Hit) -> Interaction {
-        todo!()
+        let leaves = &self.tree.leaves;
+        let p = ray.at(hit.t);
+        let local = leaves.local_point(ray, hit);
+        let n = leaves.normal(hit, local);
+        let from_inside = n.dot(ray.dir) > 0.0;
+        let texturing = Texturing { tree: &self.tree, materials: &self.materials, parts: &self.parts };
+        Interaction {
+            p,
+            n,
+            uv: leaves.uv(hit, local, p),
+            from_inside,
+            material: leaves.leaves[hit.leaf as usize].material,
+            textures: texturing.at(hit, p, local, from_inside),
+        }
     }
+
     /// Is the point inside any top-level object?
     pub fn inside(&self, p: Vec3) -> bool {
-        todo!()
+        self.tree.group_inside(&self.world, p)
     }
+
     /// The interiors of all objects that contain the point, in the order of the scene (the start of a ray's list).
     pub fn interiors_at(&self, p: Vec3) -> SmallVec<[InteriorId; 8]> {
-        todo!()
+        let mut around: SmallVec<[u32; 8]> = SmallVec::new();
+        self.world.deciding().any_around(p, |m| {
+            if self.tree.inside(self.world.members[m as usize].node, p) {
+                around.push(m);
+            }
+            false
+        });
+        around.sort_unstable();
+        let mut found = SmallVec::new();
+        for m in around {
+            self.interiors_of(self.world.members[m as usize].node, p, true, &mut found);
+        }
+        found
     }
+
+    /// The interiors of a node that contains the point: those of its leaves that contain it. What merely cuts has no
+    /// say.
+    fn interiors_of(&self, node: NodeRef, p: Vec3, outermost: bool, found: &mut SmallVec<[InteriorId; 8]>) {
+        match node.node() {
+            Node::Leaf(index) => {
+                let leaf = &self.tree.leaves.leaves[index as usize];
+                let interior = self.materials[leaf.material.0 as usize].interior;
+                let counts = (outermost || !leaf.inverted) && self.tree.leaves.inside(index, p);
+                if counts && !found.contains(&interior) {
+                    found.push(interior);
+                }
+            }
+            Node::Group(index) => {
+                for member in &self.tree.groups[index as usize].members {
+                    self.interiors_of(member.node, p, false, found);
+                }
+            }
+        }
+    }
+
     /// A box around everything bounded.
     pub fn bounds(&self) -> Aabb {
-        todo!()
+        self.bounds
     }
+
     /// Media of an interior at their place: re-exported for shading's sake.
     pub fn media(&self, id: InteriorId) -> &[Placed<raggio_scene::Media>] {
         &self.interiors[id.0 as usize].interior.media

@@ -12,9 +12,11 @@ mod values;
 mod waves;
 
 pub use lattice::dnoise;
-pub use random::{hash3, random};
+pub use random::{hash3, random, random3};
 pub use turbulence::{dturbulence, turbulence};
 pub use waves::{WaveSource, wave_sources};
+
+pub use random::hash;
 
 use crate::Vec3;
 

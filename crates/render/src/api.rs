@@ -1,12 +1,4 @@
 //! What a caller says and gets.
-use std::sync::atomic::AtomicBool;
-
-use raggio_geometry::BuildError;
-use raggio_scene::Scene;
-
-/// A scene made ready for rays.
-pub struct World;
-
 /// How to render.
 #[derive(Clone, Debug)]
 pub struct Options {
@@ -40,6 +32,24 @@ pub struct Region {
     pub bottom: usize,
 }
 
+impl Region {
+    /// How many pixels it has.
+    pub fn area(&self) -> usize {
+        (self.right - self.left) * (self.bottom - self.top)
+    }
+}
+
+impl Options {
+    /// The part to render, kept within the picture.
+    pub(crate) fn area(&self) -> Region {
+        let whole = Region { left: 0, top: 0, right: self.width, bottom: self.height };
+        self.region.map_or(whole, |r| {
+            let (right, bottom) = (r.right.min(self.width), r.bottom.min(self.height));
+            Region { left: r.left.min(right), top: r.top.min(bottom), right, bottom }
+        })
+    }
+}
+
 /// Anti-aliasing (light spec, section 2).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(missing_docs)]
@@ -71,22 +81,4 @@ pub struct Film {
     pub pixels: Vec<[f32; 4]>,
     /// Was it cut short by `cancel`?
     pub cancelled: bool,
-}
-
-#[allow(unused_variables, clippy::todo, clippy::missing_errors_doc)]
-impl World {
-    /// Makes a scene ready.
-    pub fn build(scene: &Scene) -> Result<World, BuildError> {
-        todo!()
-    }
-
-    /// Renders. `progress` is called from any thread with (pixels done, pixels in all); `cancel` stops at the next tile.
-    pub fn render(
-        &self,
-        options: &Options,
-        cancel: &AtomicBool,
-        progress: &(dyn Fn(usize, usize) + Sync),
-    ) -> Film {
-        todo!()
-    }
 }

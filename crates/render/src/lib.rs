@@ -3,6 +3,18 @@
 //! Invariants: the picture does not depend on the number of threads; after [`World::build`] nothing fails.
 //! Deliberately absent: files, the language, arguments.
 
+mod antialias;
 mod api;
+mod atmosphere;
+mod camera;
+mod film;
+mod integrator;
+mod lights;
+mod media;
+mod radiosity;
+mod sampler;
+mod sampling;
+mod world;
 
-pub use api::{Antialias, AntialiasMethod, Film, Options, Region, World};
+pub use api::{Antialias, AntialiasMethod, Film, Options, Region};
+pub use world::World;

@@ -17,9 +17,10 @@ pub enum Value {
     /// Five components, already rounded to single precision.
     Color([f64; 5]),
     String(Arc<str>),
-    Array(super::parser::ArrayRef),
+    /// Items are changed in place by `Arc::make_mut`.
+    Array(Arc<crate::parser::Array>),
     Function(Arc<Function>),
-    Spline(Arc<super::parser::Spline>),
+    Spline(Arc<crate::parser::Spline>),
     Object(Arc<scene::Object>),
     /// All layers of a texture.
     Texture(Arc<scene::Texture>),
@@ -42,7 +43,7 @@ pub enum Value {
     Rainbow(Arc<scene::Rainbow>),
     SkySphere(Arc<scene::SkySphere>),
     /// An open `#fopen` handle.
-    File(super::parser::FileHandle),
+    File(crate::parser::FileHandle),
 }
 
 /// `material { texture interior_texture interior }`
@@ -53,35 +54,33 @@ pub struct Material {
     pub interior: Option<scene::Placed<scene::Interior>>,
 }
 
-/// The kind of a [`Value`], for the grammar to branch on.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
-    Float,
-    Vector,
-    Color,
-    String,
-    Array,
-    Function,
-    Spline,
-    Object,
-    Texture,
-    Pigment,
-    Normal,
-    Finish,
-    Material,
-    Interior,
-    Media,
-    Density,
-    ColorMap,
-    PigmentMap,
-    NormalMap,
-    TextureMap,
-    DensityMap,
-    SlopeMap,
-    Transform,
-    Camera,
-    Fog,
-    Rainbow,
-    SkySphere,
-    File,
+macro_rules! kinds {
+    ($($kind:ident $name:literal),*) => {
+        /// The kind of a [`Value`], for the grammar to branch on.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum Kind { $($kind),* }
+
+        impl Kind {
+            /// What to call it in messages.
+            pub fn name(self) -> &'static str {
+                match self { $(Kind::$kind => $name),* }
+            }
+        }
+
+        impl Value {
+            /// The kind of this value.
+            pub fn kind(&self) -> Kind {
+                match self { $(Value::$kind { .. } => Kind::$kind),* }
+            }
+        }
+    };
+}
+
+kinds! {
+    Float "number", Vector "vector", Color "colour", String "string", Array "array", Function "function",
+    Spline "spline", Object "object", Texture "texture", Pigment "pigment", Normal "normal", Finish
+    "finish", Material "material", Interior "interior", Media "media", Density "density", ColorMap
+    "color_map", PigmentMap "pigment_map", NormalMap "normal_map", TextureMap "texture_map", DensityMap
+    "density_map", SlopeMap "slope_map", Transform "transform", Camera "camera", Fog "fog", Rainbow
+    "rainbow", SkySphere "sky_sphere", File "file"
 }

@@ -2,7 +2,22 @@
 //!
 //! Invariants: everything is compiled once ([`Texture::compile`] and its kin); evaluation allocates nothing and cannot
 //! fail. Deliberately absent: rays, lights, recursion (that is `render`).
+#![warn(missing_docs)]
 
-mod api;
+mod compiler;
+mod context;
+mod external;
+mod image;
+mod map;
+mod normal;
+mod pattern;
+mod pigment;
+mod texture;
+mod warp;
 
-pub use api::{Context, Layer, Noise, Normal, Pattern, Pigment, Texture, TextureMap};
+pub use context::{Context, Noise};
+pub use external::{PatternFunction, PigmentFunction};
+pub use normal::Normal;
+pub use pattern::Pattern;
+pub use pigment::Pigment;
+pub use texture::{Layer, Texture, TextureMap};

@@ -1,14 +1,29 @@
 //! Every kind of shape, one file each; registered here once.
+mod box_;
+mod cone;
+mod disc;
+mod mesh;
 mod plane;
+mod polygon;
+mod quadric;
 mod sphere;
+mod triangle;
 
-use raggio_math::{Aabb, Ray, Vec2, Vec3};
+use raggio_math::{Aabb, Affine, Ray, Vec2, Vec3};
 use raggio_scene::Shape;
 
+use crate::texturing::PartUses;
 use crate::{BuildError, LocalHit, Surface};
 
+pub(crate) use box_::Cuboid;
+pub(crate) use cone::Cone;
+pub(crate) use disc::Disc;
+pub(crate) use mesh::MeshShape;
 pub(crate) use plane::Plane;
+pub(crate) use polygon::Polygon;
+pub(crate) use quadric::Quadric;
 pub(crate) use sphere::Sphere;
+pub(crate) use triangle::Triangle;
 
 /// Makes the closed enum over all kinds and forwards every question to the kind at hand, without virtual calls.
 macro_rules! shape_kinds {
@@ -49,8 +64,15 @@ macro_rules! shape_kinds {
 
 // Kinds with more than some 200 bytes of their own belong in a `Box`, so that small ones stay small.
 shape_kinds! {
+    Box(Cuboid),
+    Cone(Box<Cone>),
+    Disc(Disc),
+    Mesh(Box<MeshShape>),
     Plane(Plane),
+    Polygon(Box<Polygon>),
+    Quadric(Box<Quadric>),
     Sphere(Sphere),
+    Triangle(Box<Triangle>),
 }
 
 /// Makes a shape ready. Shapes that cannot be hit at all (no radius, no area) are valid and simply never hit.
@@ -58,15 +80,21 @@ pub(crate) fn build(shape: &Shape) -> Result<ShapeKind, BuildError> {
     Ok(match shape {
         Shape::Sphere { center, radius } => ShapeKind::Sphere(Sphere::new(*center, *radius)),
         Shape::Plane { normal, distance } => ShapeKind::Plane(Plane::new(*normal, *distance)),
-        Shape::Box { .. } => return Err(BuildError::Unsupported("box")),
-        Shape::Cylinder { .. } => return Err(BuildError::Unsupported("cylinder")),
-        Shape::Cone { .. } => return Err(BuildError::Unsupported("cone")),
-        Shape::Disc { .. } => return Err(BuildError::Unsupported("disc")),
-        Shape::Quadric(_) => return Err(BuildError::Unsupported("quadric")),
-        Shape::Triangle { .. } => return Err(BuildError::Unsupported("triangle")),
-        Shape::SmoothTriangle { .. } => return Err(BuildError::Unsupported("smooth_triangle")),
-        Shape::Polygon { .. } => return Err(BuildError::Unsupported("polygon")),
-        Shape::Mesh(_) => return Err(BuildError::Unsupported("mesh")),
+        Shape::Box { min, max } => ShapeKind::Box(Cuboid::new(*min, *max)),
+        Shape::Cylinder { base, cap, radius, open } => {
+            ShapeKind::Cone(Box::new(Cone::cylinder(*base, *cap, *radius, *open)))
+        }
+        Shape::Cone { base, base_radius, cap, cap_radius, open } => {
+            ShapeKind::Cone(Box::new(Cone::new(*base, *base_radius, *cap, *cap_radius, *open)))
+        }
+        Shape::Disc { center, normal, radius, hole } => {
+            ShapeKind::Disc(Disc::new(*center, *normal, *radius, *hole))
+        }
+        Shape::Quadric(coefficients) => ShapeKind::Quadric(Box::new(Quadric::new(coefficients))),
+        Shape::Triangle { points } => triangle(points, None, &Affine::IDENTITY),
+        Shape::SmoothTriangle { points, normals } => triangle(points, Some(normals), &Affine::IDENTITY),
+        Shape::Polygon { loops } => ShapeKind::Polygon(Box::new(Polygon::new(loops))),
+        Shape::Mesh(mesh) => ShapeKind::Mesh(Box::new(MeshShape::new(mesh))),
         Shape::Torus { .. } => return Err(BuildError::Unsupported("torus")),
         Shape::Poly { .. } => return Err(BuildError::Unsupported("poly")),
         Shape::Superellipsoid { .. } => return Err(BuildError::Unsupported("superellipsoid")),
@@ -83,6 +111,40 @@ pub(crate) fn build(shape: &Shape) -> Result<ShapeKind, BuildError> {
         Shape::Isosurface(_) => return Err(BuildError::Unsupported("isosurface")),
         Shape::Parametric(_) => return Err(BuildError::Unsupported("parametric")),
     })
+}
+
+fn triangle(points: &[Vec3; 3], normals: Option<&[Vec3; 3]>, place: &Affine) -> ShapeKind {
+    ShapeKind::Triangle(Box::new(Triangle::new(*points, normals.copied(), place)))
+}
+
+/// Shapes that are kept in the world's coordinates instead of at a place; `None` for all others.
+pub(crate) fn moved(shape: &Shape, world_from_object: &Affine) -> Option<ShapeKind> {
+    match shape {
+        Shape::Triangle { points } => Some(triangle(points, None, world_from_object)),
+        Shape::SmoothTriangle { points, normals } => Some(triangle(points, Some(normals), world_from_object)),
+        _ => None,
+    }
+}
+
+/// Shapes that `inverse` changes in themselves; `None` for all others, whose inside and normal are turned by whoever
+/// asks.
+pub(crate) fn inverse(shape: &Shape) -> Option<ShapeKind> {
+    match shape {
+        Shape::Quadric(coefficients) => {
+            Some(ShapeKind::Quadric(Box::new(Quadric::new(coefficients).inverse())))
+        }
+        _ => None,
+    }
+}
+
+impl ShapeKind {
+    /// The textures at a point of a surface whose parts have textures of their own: numbers of the scene's data and
+    /// their shares. Nothing where the object's own texture counts.
+    pub(crate) fn part_uses(&self, _p: Vec3, hit: &LocalHit, out: &mut PartUses) {
+        if let ShapeKind::Mesh(mesh) = self {
+            mesh.part_uses(hit, out);
+        }
+    }
 }
 
 /// The part of `range` that a shape may report: beyond its own least distance.

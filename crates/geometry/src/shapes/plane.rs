@@ -25,6 +25,20 @@ impl Surface for Plane {
         Aabb::INFINITE
     }
 
+    /// A half space whose border stands across an axis has one finite side.
+    fn inside_bounds(&self) -> Aabb {
+        let mut half = Aabb::INFINITE;
+        for k in 0..3 {
+            // The other components are then 0, and the sign of this one says which side is inside.
+            if self.normal[k] == 1.0 {
+                half.max[k] = self.distance;
+            } else if self.normal[k] == -1.0 {
+                half.min[k] = -self.distance;
+            }
+        }
+        half
+    }
+
     fn hits(&self, ray: &Ray, range: (f64, f64), out: &mut Vec<LocalHit>) {
         out.extend(self.closest(ray, range));
     }

@@ -5,7 +5,7 @@ use super::{beyond, turn};
 use crate::{LocalHit, Surface};
 
 /// The least distance a sphere reports.
-pub(crate) const LEAST: f64 = 1e-6;
+const LEAST: f64 = 1e-6;
 
 /// `sphere { center, radius }`; a negative radius turns the normal inwards.
 #[derive(Clone, Copy)]
@@ -19,9 +19,20 @@ impl Sphere {
         Sphere { center, radius }
     }
 
+    /// -1 for a negative radius.
+    pub(crate) fn sign(&self) -> f64 {
+        self.radius.signum()
+    }
+
+    /// Texture coordinates in a direction from the centre: longitude and latitude.
+    pub(crate) fn uv_of(offset: Vec3) -> Vec2 {
+        let q = offset.normalize_or_zero();
+        Vec2::new(turn(q.x, q.z), 0.5 + q.y.clamp(-1.0, 1.0).asin() / std::f64::consts::PI)
+    }
+
     /// The parameters of entry and exit, if the chord is long enough to count.
     #[inline]
-    pub(crate) fn chord(&self, ray: &Ray) -> Option<(f64, f64)> {
+    fn chord(&self, ray: &Ray) -> Option<(f64, f64)> {
         let to_center = self.center - ray.origin;
         let middle = to_center.dot(ray.dir);
         // Distance of the centre from the line by rejection: no cancellation for far origins.
@@ -64,7 +75,6 @@ impl Surface for Sphere {
     }
 
     fn uv(&self, p: Vec3, _: &LocalHit) -> Option<Vec2> {
-        let q = (p - self.center).normalize_or_zero();
-        Some(Vec2::new(turn(q.x, q.z), 0.5 + q.y.clamp(-1.0, 1.0).asin() / std::f64::consts::PI))
+        Some(Sphere::uv_of(p - self.center))
     }
 }

@@ -5,11 +5,19 @@ use super::tables::HASH;
 
 const SIZE: usize = 32768;
 
+static TABLE: LazyLock<Box<[f64; SIZE]>> = LazyLock::new(table);
+
 /// Entry `k` (modulo 32768) of the table: uniform in 0..1, the outputs of a Mersenne twister with its default seed.
 #[inline]
 pub fn random(k: usize) -> f64 {
-    static TABLE: LazyLock<Box<[f64; SIZE]>> = LazyLock::new(table);
     TABLE[k % SIZE]
+}
+
+/// Three entries in a row: a random point of the unit cube.
+#[inline]
+pub fn random3(k: usize) -> [f64; 3] {
+    let table = &**TABLE;
+    [table[k % SIZE], table[(k + 1) % SIZE], table[(k + 2) % SIZE]]
 }
 
 /// A hash of three integers, 0..=4095; each counts modulo 4096.
@@ -18,6 +26,12 @@ pub fn hash3(a: i64, b: i64, c: i64) -> usize {
     let h = |i: usize| usize::from(HASH[i & 4095]);
     let low = |i: i64| (i & 4095) as usize;
     h(h(h(low(a)) ^ low(b)) ^ low(c))
+}
+
+/// The hash table of lattice noise itself, 0..=4095; the argument counts modulo 4096.
+#[inline]
+pub fn hash(i: i64) -> usize {
+    usize::from(HASH[(i & 4095) as usize])
 }
 
 fn table() -> Box<[f64; SIZE]> {

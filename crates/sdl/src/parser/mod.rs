@@ -1,29 +1,59 @@
 //! The running scene: tokens in, values and statements out.
 //!
-//! This file fixes what the grammar may ask of the parser. `peek` and `next` deliver a stream in which directives have
+//! This file is what the grammar may ask of the parser. `peek` and `next` deliver a stream in which directives have
 //! been executed, macros expanded, and declared identifiers (with their subscripts) replaced by their values.
+mod array;
 mod builder;
+mod call;
+mod color;
+mod control;
+mod cursor;
+mod datetime;
+mod declare;
+mod expr;
+mod files;
+mod float_fn;
+mod format;
+mod input;
+mod lexer;
+mod macros;
+mod message;
+mod num;
+mod picture;
+mod random;
+mod run;
+mod scope;
+mod slots;
+mod spline;
+mod string;
+mod symbol;
+mod token;
+mod transform;
+mod vector_fn;
+mod version;
 
 use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 
+pub use array::Array;
 pub use builder::SceneBuilder;
-use raggio_diag::{Diagnostic, Span};
-use raggio_math::{Affine, Vec2, Vec3};
-use raggio_scene::{Bitmap, Color, Settings};
+use cursor::{Cursor, Stop};
+pub use files::FileHandle;
+pub use format::six_digits;
+use raggio_diag::{Diagnostic, FileId, Sources, Span};
+use raggio_scene::Settings;
+pub use run::{Surroundings, run};
+use scope::Scopes;
+pub use spline::Spline;
+pub use string::Charset;
+use symbol::Symbols;
 
 use crate::keyword::Kw;
 use crate::value::{Kind, Value};
+use crate::{Engine, Files, ParseOptions};
 
 /// Errors are boxed: they are rare and large.
 pub type Result<T> = std::result::Result<T, Box<Diagnostic>>;
-
-/// An array value: shared by reference between macro parameters, copied deeply by `#declare`.
-pub type ArrayRef = ();
-/// A `spline { ... }` value; lives in `parser/spline.rs`.
-#[derive(Debug)]
-pub struct Spline;
-/// An open file.
-pub type FileHandle = u32;
 
 /// What a token is, after directives, macros and identifiers have been dealt with.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,145 +70,165 @@ pub enum Tok {
     String,
     /// One of `{ } ( ) [ ] < > , ; . + - * / = ! & | ? :` or, as `≤ ≥ ≠`, the two-character operators.
     Punct(char),
-    /// The end of the scene.
+    /// The end of the scene; or, on the right side of a declaration, a directive that ends it.
     End,
 }
 
+/// The state of a scene that is being read.
 pub struct Parser<'a> {
     /// Settings so far, `version` among them; the grammar of `global_settings` writes them.
     pub settings: Settings,
     /// What the statements have added so far.
     pub scene: SceneBuilder,
-    _engine: &'a dyn crate::Engine,
+    /// `global_settings { charset }`
+    pub charset: Charset,
+    /// The running defaults of `#default`.
+    pub defaults: crate::grammar::Defaults,
+    engine: &'a dyn Engine,
+    files: &'a dyn Files,
+    sources: &'a mut Sources,
+    options: &'a ParseOptions,
+    debug: &'a mut (dyn FnMut(&str) + Send),
+    cancel: Arc<AtomicBool>,
+    warnings: Vec<Diagnostic>,
+    symbols: Symbols,
+    scopes: Scopes,
+    cursor: Cursor,
+    open_files: files::OpenFiles,
+    lexed: files::LexedFiles,
+    streams: random::Streams,
+    version: version::VersionState,
+    gamma_explicit: bool,
+    depth: u32,
 }
 
-#[allow(unused_variables, clippy::todo)]
+/// Most brackets and blocks within one another.
+const MAX_DEPTH: u32 = 400;
+
+#[allow(clippy::should_implement_trait)]
 impl Parser<'_> {
     // ---- tokens
     /// The next token, not consumed.
+    #[inline]
     pub fn peek(&mut self) -> Result<Tok> {
-        todo!()
+        match self.cursor.ahead {
+            Some(tok) => Ok(tok),
+            None => self.advance(),
+        }
     }
+
     /// Consumes and returns the next token.
+    #[inline]
     pub fn next(&mut self) -> Result<Tok> {
-        todo!()
+        let tok = self.peek()?;
+        self.cursor.ahead = None;
+        Ok(tok)
     }
+
     /// The place of the token that `peek` shows.
     pub fn span(&mut self) -> Span {
-        todo!()
+        // A fault here comes back at the next `peek`, as the walk has not gone past it.
+        let _ = self.peek();
+        self.here()
     }
+
     /// The text of the token that `peek` shows, for messages and for names.
     pub fn text(&mut self) -> String {
-        todo!()
+        let span = self.span();
+        self.source_text(span)
     }
+
     /// Consumes the word if it comes next.
+    #[inline]
     pub fn accept(&mut self, word: Kw) -> Result<bool> {
-        todo!()
+        self.accept_tok(Tok::Kw(word))
     }
+
     /// Consumes the character if it comes next.
+    #[inline]
     pub fn accept_punct(&mut self, c: char) -> Result<bool> {
-        todo!()
+        self.accept_tok(Tok::Punct(c))
     }
+
+    #[inline]
+    fn accept_tok(&mut self, wanted: Tok) -> Result<bool> {
+        let found = self.peek()? == wanted;
+        if found {
+            self.cursor.ahead = None;
+        }
+        Ok(found)
+    }
+
     /// Consumes the character or fails, naming what was expected.
+    #[inline]
     pub fn expect(&mut self, c: char) -> Result<()> {
-        todo!()
+        if self.accept_punct(c)? { Ok(()) } else { self.expected(&format!("`{c}`")) }
     }
+
     /// An optional comma.
+    #[inline]
     pub fn comma(&mut self) -> Result<()> {
-        todo!()
+        self.accept_punct(',').map(|_| ())
     }
+
     /// `{ ... }`: calls `item` until the closing brace; `item` consumes one item and says false if it knows none that
-    /// begins so, which becomes an error "`what` does not take ..." with a suggestion from `words`.
-    pub fn block(&mut self, what: &str, item: impl FnMut(&mut Self) -> Result<bool>) -> Result<()> {
-        todo!()
+    /// begins so, which becomes an error "`what` does not take ...".
+    pub fn block(&mut self, what: &str, mut item: impl FnMut(&mut Self) -> Result<bool>) -> Result<()> {
+        self.expect('{')?;
+        let open = self.here();
+        self.nested(|p| {
+            loop {
+                match p.peek()? {
+                    Tok::Punct('}') => {
+                        p.cursor.ahead = None;
+                        return Ok(());
+                    }
+                    Tok::End => return p.unclosed(what, open),
+                    _ => {}
+                }
+                if !item(p)? {
+                    return p.not_taken(what);
+                }
+            }
+        })
     }
+
     /// The value that `peek` showed as `Tok::Value`, cloned; consumes the token.
     pub fn take_value(&mut self) -> Result<Value> {
-        todo!()
+        match self.next()? {
+            Tok::Value(_) => Ok(self.current_value().clone()),
+            _ => self.expected("an identifier"),
+        }
     }
 
-    // ---- numbers (language spec, section 2)
-    /// A float slot: an additive expression of one component.
-    pub fn float(&mut self) -> Result<f64> {
-        todo!()
-    }
-    /// A float slot that must be a whole number in range; outside: an error naming `what`.
-    pub fn int(&mut self, what: &str, range: std::ops::RangeInclusive<i64>) -> Result<i64> {
-        todo!()
-    }
-    /// An optional float if an expression comes next (`hollow`, `metallic`), else `default`.
-    pub fn optional_float(&mut self, default: f64) -> Result<f64> {
-        todo!()
-    }
-    /// A flag: `word`, `word on`, `word off`, `word 0`.
-    pub fn flag(&mut self) -> Result<bool> {
-        Ok(self.optional_float(1.0)? != 0.0)
-    }
-    /// Does an expression come next?
-    pub fn at_expression(&mut self) -> Result<bool> {
-        todo!()
-    }
-    pub fn vec2(&mut self) -> Result<Vec2> {
-        todo!()
-    }
-    pub fn vec3(&mut self) -> Result<Vec3> {
-        todo!()
-    }
-    pub fn vec4(&mut self) -> Result<[f64; 4]> {
-        todo!()
-    }
-    /// An expression of any size: its components (replicated to five where it is one number) and how many it has.
-    pub fn tuple(&mut self) -> Result<([f64; 5], u8)> {
-        todo!()
-    }
-    /// A colour slot with all five channels: `rgb`, `rgbf`, `srgb`, `color`, a colour identifier, `red .. green ..`.
-    pub fn color(&mut self) -> Result<Color> {
-        todo!()
-    }
-    /// A colour slot where filter and transmit mean nothing.
-    pub fn rgb(&mut self) -> Result<raggio_scene::Rgb> {
-        Ok(self.color()?.rgb)
-    }
-    /// A string expression in text mode.
-    pub fn string(&mut self) -> Result<Arc<str>> {
-        todo!()
-    }
-    /// A string expression in path mode (file names).
-    pub fn path(&mut self) -> Result<Arc<str>> {
-        todo!()
+    // ---- files and the engine
+    /// The engine that answers `trace` and the like.
+    pub fn engine(&self) -> &dyn Engine {
+        self.engine
     }
 
-    // ---- transforms
-    /// One of `translate rotate scale matrix transform` if it comes next.
-    pub fn accept_transform(&mut self) -> Result<Option<Affine>> {
-        todo!()
+    /// The language version in hundredths: 370 is 3.7.
+    pub fn lang(&self) -> u16 {
+        self.settings.version.language
     }
 
-    // ---- files
-    /// Finds and decodes an image by the rules of section 1.6; the type word has been read already (`None`: by name).
-    pub fn image(&mut self, name: &str, format: Option<Kw>) -> Result<Arc<Bitmap>> {
-        todo!()
-    }
-    /// Finds a file's bytes, trying the name and then the name with each extension.
-    pub fn file(&mut self, name: &str, extensions: &[&str]) -> Result<Arc<[u8]>> {
-        todo!()
+    /// The name of a source file.
+    pub fn file_name(&self, file: FileId) -> &str {
+        &self.sources.get(file).name
     }
 
-    // ---- messages
-    /// "expected `what`, found ...", at the token that `peek` shows.
-    pub fn expected<T>(&mut self, what: &str) -> Result<T> {
-        todo!()
-    }
-    /// An error at a place.
-    pub fn error<T>(&self, code: &'static str, message: impl Into<String>, span: Span) -> Result<T> {
-        Err(Box::new(Diagnostic::error(code, message, span)))
-    }
-    /// A warning at a place; the scene goes on.
-    pub fn warn(&mut self, code: &'static str, message: impl Into<String>, span: Span) {
-        todo!()
-    }
-    /// The effective version (language spec, section 1.8) and the syntax version are in `settings.version`.
-    pub fn engine(&self) -> &dyn crate::Engine {
-        self._engine
+    // ---- inside the parser
+    /// Runs `inner` one bracket deeper: the right side of a declaration can't end in there, and depth is counted.
+    fn nested<T>(&mut self, inner: impl FnOnce(&mut Self) -> Result<T>) -> Result<T> {
+        if self.depth >= MAX_DEPTH {
+            let message = format!("more than {MAX_DEPTH} brackets or blocks within one another");
+            return self.error("nested-too-deeply", message, self.here());
+        }
+        let stop = std::mem::replace(&mut self.cursor.stop, Stop::Never);
+        self.depth += 1;
+        let result = inner(self);
+        self.depth -= 1;
+        self.cursor.stop = stop;
+        result
     }
 }

@@ -1,0 +1,123 @@
+//! The test of one ray against a node's eight boxes: scalar and AVX2, with the same results.
+#![allow(unsafe_code)]
+
+use raggio_math::Ray;
+
+use crate::node::{Node, WIDTH};
+use crate::round::{down, up};
+
+/// Makes up for the three roundings in `(side - origin) * inverse`.
+const SLACK: f32 = 1.000_000_5;
+
+/// Inverse directions are kept finite, so that no product of zero and infinity can arise.
+const MAX_INVERSE: f64 = 1e37;
+
+/// A ray made ready for slab tests. The origin is kept rounded both ways, so that each box can only seem larger.
+pub(crate) struct Slab {
+    /// Origin as used for the sides where the ray enters.
+    origin_near: [f32; 3],
+    /// Origin as used for the sides where it leaves.
+    origin_far: [f32; 3],
+    inverse: [f32; 3],
+    /// Which of a node's `sides` the ray enters by.
+    near: [usize; 3],
+    far: [usize; 3],
+}
+
+impl Slab {
+    #[inline(always)]
+    pub(crate) fn new(ray: &Ray) -> Self {
+        let mut slab = Slab {
+            origin_near: [0.0; 3],
+            origin_far: [0.0; 3],
+            inverse: [0.0; 3],
+            near: [0, 1, 2],
+            far: [3, 4, 5],
+        };
+        for k in 0..3 {
+            let (lo, hi) = (down(ray.origin[k]).next_down(), up(ray.origin[k]).next_up());
+            let backwards = ray.dir[k] < 0.0;
+            slab.inverse[k] = (1.0 / ray.dir[k]).clamp(-MAX_INVERSE, MAX_INVERSE) as f32;
+            (slab.origin_near[k], slab.origin_far[k]) = if backwards { (lo, hi) } else { (hi, lo) };
+            if backwards {
+                (slab.near[k], slab.far[k]) = (k + 3, k);
+            } else if slab.inverse[k] < 0.0 {
+                // The direction was -0.
+                slab.inverse[k] = -slab.inverse[k];
+            }
+        }
+        slab
+    }
+}
+
+/// How to test eight boxes at once.
+pub(crate) trait Kernel {
+    /// Bits of the boxes that the ray touches between `t0` and `t1`, and where it enters each.
+    ///
+    /// # Safety
+    /// The processor must have what the kernel uses.
+    unsafe fn test(node: &Node, slab: &Slab, t0: f32, t1: f32, entry: &mut [f32; WIDTH]) -> u32;
+}
+
+/// Plain Rust; works everywhere.
+pub(crate) struct Scalar;
+
+impl Kernel for Scalar {
+    #[inline(always)]
+    unsafe fn test(node: &Node, slab: &Slab, t0: f32, t1: f32, entry: &mut [f32; WIDTH]) -> u32 {
+        let mut mask = 0;
+        for (i, entry) in entry.iter_mut().enumerate() {
+            let (mut near, mut far) = (t0, t1);
+            for k in 0..3 {
+                let a = (node.sides[slab.near[k]][i] - slab.origin_near[k]) * slab.inverse[k];
+                let b = (node.sides[slab.far[k]][i] - slab.origin_far[k]) * slab.inverse[k] * SLACK;
+                near = if a > near { a } else { near };
+                far = if b < far { b } else { far };
+            }
+            *entry = near;
+            mask |= u32::from(near <= far) << i;
+        }
+        mask
+    }
+}
+
+/// Eight boxes in one 256-bit register per side.
+#[cfg(target_arch = "x86_64")]
+pub(crate) struct Avx2;
+
+#[cfg(target_arch = "x86_64")]
+impl Kernel for Avx2 {
+    #[inline]
+    #[target_feature(enable = "avx2")]
+    unsafe fn test(node: &Node, slab: &Slab, t0: f32, t1: f32, entry: &mut [f32; WIDTH]) -> u32 {
+        use std::arch::x86_64::*;
+        let (mut near, mut far) = (_mm256_set1_ps(t0), _mm256_set1_ps(t1));
+        let slack = _mm256_set1_ps(SLACK);
+        for k in 0..3 {
+            let inverse = _mm256_set1_ps(slab.inverse[k]);
+            let (enter, leave) = (&node.sides[slab.near[k]], &node.sides[slab.far[k]]);
+            // SAFETY: both point to eight floats, aligned to 32 bytes as rows of a `Node`.
+            let (enter, leave) = unsafe { (_mm256_load_ps(enter.as_ptr()), _mm256_load_ps(leave.as_ptr())) };
+            let a = _mm256_mul_ps(_mm256_sub_ps(enter, _mm256_set1_ps(slab.origin_near[k])), inverse);
+            let b = _mm256_mul_ps(_mm256_sub_ps(leave, _mm256_set1_ps(slab.origin_far[k])), inverse);
+            // Both keep the second operand where one is not a number, as the scalar comparisons do.
+            near = _mm256_max_ps(a, near);
+            far = _mm256_min_ps(_mm256_mul_ps(b, slack), far);
+        }
+        // SAFETY: `entry` has room for eight floats.
+        unsafe { _mm256_storeu_ps(entry.as_mut_ptr(), near) };
+        _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LE_OQ>(near, far)) as u32
+    }
+}
+
+/// Has this processor the wide kernel?
+pub(crate) fn simd_available() -> bool {
+    #[cfg(target_arch = "x86_64")]
+    {
+        std::arch::is_x86_feature_detected!("avx2")
+    }
+    #[cfg(not(target_arch = "x86_64"))]
+    {
+        false
+    }
+}

@@ -1,0 +1,63 @@
+//! What hangs on leaves, each different thing once: materials, placed textures, interiors.
+use std::sync::Arc;
+
+use raggio_math::Affine;
+use raggio_scene::{Interior, Placed, Texture};
+use rustc_hash::FxHashMap;
+
+use crate::{InteriorId, InteriorInfo, Material, MaterialId, PlacedTexture, TextureId};
+
+/// Collects materials while the tree is walked.
+#[derive(Default)]
+pub(crate) struct Materials {
+    pub(crate) materials: Vec<Material>,
+    pub(crate) textures: Vec<PlacedTexture>,
+    pub(crate) interiors: Vec<InteriorInfo>,
+    material_ids: FxHashMap<MaterialKey, MaterialId>,
+    texture_ids: FxHashMap<TextureKey, TextureId>,
+}
+
+/// What tells most materials apart.
+type MaterialKey = (u32, Option<TextureId>, Option<TextureId>, InteriorId);
+/// The texture's address and the bits of its place.
+type TextureKey = (usize, [u64; 12]);
+
+impl Materials {
+    /// The id of a texture at its place in the world.
+    pub(crate) fn texture(&mut self, texture: &Arc<Texture>, world_from_texture: &Affine) -> TextureId {
+        let key = (Arc::as_ptr(texture) as usize, world_from_texture.to_cols_array().map(f64::to_bits));
+        let textures = &mut self.textures;
+        *self.texture_ids.entry(key).or_insert_with(|| {
+            let identity = *world_from_texture == Affine::IDENTITY;
+            textures.push(PlacedTexture {
+                texture: texture.clone(),
+                texture_from_world: (!identity).then(|| world_from_texture.inverse()),
+            });
+            TextureId(textures.len() as u32 - 1)
+        })
+    }
+
+    /// A new interior: each has an identity of its own.
+    pub(crate) fn interior(&mut self, interior: &Placed<Interior>, world_from_parent: &Affine) -> InteriorId {
+        self.interiors.push(InteriorInfo {
+            interior: interior.item.clone(),
+            world_from_interior: *world_from_parent * interior.parent_from_item,
+            hollow: false,
+        });
+        InteriorId(self.interiors.len() as u32 - 1)
+    }
+
+    /// The id of a material; equal ones share it.
+    pub(crate) fn material(&mut self, material: Material) -> MaterialId {
+        let key = (material.object, material.texture, material.interior_texture, material.interior);
+        if let Some(&id) = self.material_ids.get(&key)
+            && self.materials[id.0 as usize] == material
+        {
+            return id;
+        }
+        self.materials.push(material);
+        let id = MaterialId(self.materials.len() as u32 - 1);
+        self.material_ids.insert(key, id);
+        id
+    }
+}

@@ -1,0 +1,184 @@
+//! Shapes made ready, each once however often it is placed; the simplest ones moved into the world.
+use std::sync::Arc;
+
+use raggio_math::{Aabb, Affine, Mat3, Vec3, transform};
+use raggio_scene::Shape;
+use rustc_hash::FxHashMap;
+
+use crate::index::transformed;
+use crate::leaf::{Leaves, Prim, WorldSphere};
+use crate::shapes::{self, Plane, ShapeKind, Sphere};
+use crate::{BuildError, Surface};
+
+/// Remembers which shapes and places are there already.
+#[derive(Default)]
+pub(crate) struct ShapePool {
+    /// By address of the scene's shape, which the scene keeps alive.
+    shapes: FxHashMap<usize, u32>,
+    last_place: Option<(Affine, u32)>,
+}
+
+/// A shape at its place, and the boxes around it.
+pub(crate) struct PlacedShape {
+    pub(crate) prim: Prim,
+    /// The shape itself has been turned inside out, as far as asked.
+    pub(crate) inverted: bool,
+    /// Box of the surface.
+    pub(crate) surface: Aabb,
+    /// Outside this box nothing is inside.
+    pub(crate) inside: Aabb,
+    /// Outside this box everything is inside.
+    pub(crate) outside: Aabb,
+}
+
+impl ShapePool {
+    /// Puts a shape at its place. The result's `inverted` is what remains to be inverted.
+    pub(crate) fn place(
+        &mut self,
+        leaves: &mut Leaves,
+        shape: &Arc<Shape>,
+        world_from_object: &Affine,
+        inverted: bool,
+    ) -> Result<PlacedShape, BuildError> {
+        match &**shape {
+            Shape::Plane { normal, distance } => {
+                Ok(place_plane(leaves, *normal, *distance, world_from_object, inverted))
+            }
+            Shape::Sphere { center, radius } => match uniform_scale(world_from_object) {
+                Some(scale) => {
+                    let sphere = Sphere::new(world_from_object.transform_point3(*center), radius * scale);
+                    let place = (!is_plain(&world_from_object.matrix3, scale))
+                        .then(|| self.place_id(leaves, world_from_object));
+                    leaves.spheres.push(WorldSphere { sphere, place });
+                    let prim = Prim::Sphere(leaves.spheres.len() as u32 - 1);
+                    Ok(boxed(prim, inverted, sphere.bounds(), sphere.bounds()))
+                }
+                None => self.place_general(leaves, shape, world_from_object, inverted),
+            },
+            _ => self.place_general(leaves, shape, world_from_object, inverted),
+        }
+    }
+
+    fn place_general(
+        &mut self,
+        leaves: &mut Leaves,
+        shape: &Arc<Shape>,
+        world_from_object: &Affine,
+        inverted: bool,
+    ) -> Result<PlacedShape, BuildError> {
+        if let Some(moved) = shapes::moved(shape, world_from_object) {
+            leaves.shapes.push(moved);
+            let id = leaves.shapes.len() as u32 - 1;
+            return Ok(placed_shape(leaves, Prim::World(id), id, &Affine::IDENTITY, inverted));
+        }
+        let inverse = if inverted { shapes::inverse(shape) } else { None };
+        let turned = inverse.is_some();
+        let id = match inverse {
+            Some(inverse) => {
+                leaves.shapes.push(inverse);
+                leaves.shapes.len() as u32 - 1
+            }
+            None => self.shape_id(leaves, shape)?,
+        };
+        let prim = match *world_from_object == Affine::IDENTITY {
+            true => Prim::World(id),
+            false => Prim::Placed { shape: id, place: self.place_id(leaves, world_from_object) },
+        };
+        let mut placed = placed_shape(leaves, prim, id, world_from_object, inverted && !turned);
+        if turned {
+            placed.outside = placed.surface;
+        }
+        Ok(placed)
+    }
+
+    fn shape_id(&mut self, leaves: &mut Leaves, shape: &Arc<Shape>) -> Result<u32, BuildError> {
+        // A mesh is shared even where the shape around it was copied.
+        let (address, shared) = match &**shape {
+            Shape::Mesh(mesh) => (Arc::as_ptr(mesh) as usize, true),
+            _ => (Arc::as_ptr(shape) as usize, Arc::strong_count(shape) > 1),
+        };
+        if let Some(&id) = self.shapes.get(&address) {
+            return Ok(id);
+        }
+        leaves.shapes.push(shapes::build(shape)?);
+        let id = leaves.shapes.len() as u32 - 1;
+        if shared {
+            self.shapes.insert(address, id);
+        }
+        Ok(id)
+    }
+
+    /// Neighbours in a scene often share their place.
+    fn place_id(&mut self, leaves: &mut Leaves, world_from_object: &Affine) -> u32 {
+        match self.last_place {
+            Some((last, id)) if last == *world_from_object => id,
+            _ => {
+                leaves.places.push(world_from_object.inverse());
+                let id = leaves.places.len() as u32 - 1;
+                self.last_place = Some((*world_from_object, id));
+                id
+            }
+        }
+    }
+}
+
+fn placed_shape(
+    leaves: &Leaves,
+    prim: Prim,
+    id: u32,
+    world_from_object: &Affine,
+    inverted: bool,
+) -> PlacedShape {
+    let shape = &leaves.shapes[id as usize];
+    let surface = transformed(&shape.bounds(), world_from_object);
+    let inside = match shape.is_solid() {
+        true => transformed(&shape.inside_bounds(), world_from_object),
+        false => Aabb::EMPTY,
+    };
+    boxed(prim, inverted, surface, inside)
+}
+
+fn boxed(prim: Prim, inverted: bool, surface: Aabb, inside: Aabb) -> PlacedShape {
+    let (inside, outside) = match inverted {
+        false => (inside, Aabb::INFINITE),
+        true => (Aabb::INFINITE, inside),
+    };
+    PlacedShape { prim, inverted, surface, inside, outside }
+}
+
+/// A plane goes into the world for good; `inverse` turns the plane itself round.
+fn place_plane(
+    leaves: &mut Leaves,
+    normal: Vec3,
+    distance: f64,
+    world_from_object: &Affine,
+    inverted: bool,
+) -> PlacedShape {
+    let n = transform::normal_by_inverse(&world_from_object.inverse(), normal).normalize_or(normal);
+    let d = n.dot(world_from_object.transform_point3(normal * distance));
+    let (n, d) = if inverted { (-n, -d) } else { (n, d) };
+    let plane = Plane::new(n, d);
+    leaves.shapes.push(ShapeKind::Plane(plane));
+    PlacedShape {
+        prim: Prim::World(leaves.shapes.len() as u32 - 1),
+        inverted: false,
+        surface: Aabb::INFINITE,
+        inside: plane.inside_bounds(),
+        outside: Plane::new(-n, -d).inside_bounds(),
+    }
+}
+
+/// By how much a transform stretches, if by the same in all directions.
+fn uniform_scale(t: &Affine) -> Option<f64> {
+    let m = &t.matrix3;
+    let square = m.transpose() * *m;
+    let s2 = square.x_axis.x;
+    let off = square - Mat3::from_diagonal(Vec3::splat(s2));
+    let uniform = off.to_cols_array().iter().all(|e| e.abs() <= 1e-12 * s2);
+    (uniform && s2.is_finite()).then(|| s2.sqrt())
+}
+
+/// Is the linear part nothing but a scale?
+fn is_plain(m: &Mat3, scale: f64) -> bool {
+    *m == Mat3::from_diagonal(Vec3::new(m.x_axis.x, m.x_axis.x, m.x_axis.x)) && m.x_axis.x == scale
+}

@@ -1,0 +1,159 @@
+//! The cone, and the cylinder as the cone of equal radii.
+use raggio_math::{Aabb, EPS, Ray, Vec3};
+
+use super::beyond;
+use crate::{LocalHit, Surface};
+
+/// The least distance a cone reports.
+const LEAST: f64 = 1e-9;
+
+/// Parts of hits: the side, the cap at the base, the cap at the far end.
+const SIDE: u32 = 0;
+const BASE: u32 = 1;
+const CAP: u32 = 2;
+
+/// A cone between two radii; with radii of opposite sign a double cone through the point between.
+#[derive(Clone, Copy)]
+pub(crate) struct Cone {
+    base: Vec3,
+    /// Unit vector from base to cap.
+    axis: Vec3,
+    length: f64,
+    base_radius: f64,
+    cap_radius: f64,
+    /// Growth of the radius per unit of height.
+    slope: f64,
+    open: bool,
+}
+
+/// At most this many hits: a double cone's four.
+type Hits = smallvec::SmallVec<[LocalHit; 4]>;
+
+impl Cone {
+    pub(crate) fn new(base: Vec3, base_radius: f64, cap: Vec3, cap_radius: f64, open: bool) -> Self {
+        let length = (cap - base).length();
+        let axis = if length > 0.0 { (cap - base) / length } else { Vec3::Y };
+        let slope = match (cap_radius - base_radius).abs() < EPS {
+            true => 0.0,
+            false => (cap_radius - base_radius) / length,
+        };
+        Cone { base, axis, length, base_radius, cap_radius, slope, open }
+    }
+
+    /// A cylinder; a negative radius counts as its absolute value.
+    pub(crate) fn cylinder(base: Vec3, cap: Vec3, radius: f64, open: bool) -> Self {
+        Cone::new(base, radius.abs(), cap, radius.abs(), open)
+    }
+
+    fn widest(&self) -> f64 {
+        self.base_radius.abs().max(self.cap_radius.abs())
+    }
+
+    /// Height over the base, and the offset from the axis.
+    #[inline]
+    fn split(&self, v: Vec3) -> (f64, Vec3) {
+        let h = v.dot(self.axis);
+        (h, v - self.axis * h)
+    }
+
+    /// All hits of the infinite ray within the range.
+    #[inline]
+    fn all(&self, ray: &Ray, range: (f64, f64)) -> Hits {
+        let mut out = Hits::new();
+        if self.widest() == 0.0 {
+            return out;
+        }
+        // Work from the point of the ray nearest to the middle: far origins lose no digits.
+        let shift = (self.base + self.axis * (0.5 * self.length) - ray.origin).dot(ray.dir);
+        let (oh, offset) = self.split(ray.at(shift) - self.base);
+        let (dh, across) = self.split(ray.dir);
+        let range = (range.0 - shift, range.1 - shift);
+        self.side(oh, offset, dh, across, range, &mut out);
+        if !self.open && dh.abs() > EPS {
+            for (height, radius, part) in [(0.0, self.base_radius, BASE), (self.length, self.cap_radius, CAP)]
+            {
+                let t = (height - oh) / dh;
+                let there = (offset + across * t).length_squared() <= radius * radius;
+                if t > range.0 && t < range.1 && there {
+                    out.push(LocalHit { part, ..LocalHit::at(t) });
+                }
+            }
+        }
+        out.iter_mut().for_each(|hit| hit.t += shift);
+        out
+    }
+
+    /// Hits of the side: where the distance from the axis is the radius at that height.
+    #[inline]
+    fn side(&self, oh: f64, offset: Vec3, dh: f64, across: Vec3, range: (f64, f64), out: &mut Hits) {
+        let (r, grow) = (self.base_radius + self.slope * oh, self.slope * dh);
+        let a = across.length_squared() - grow * grow;
+        let b = offset.dot(across) - r * grow;
+        let c = offset.length_squared() - r * r;
+        let mut push = |t: f64| {
+            let h = oh + t * dh;
+            if t > range.0 && t < range.1 && h >= 0.0 && h <= self.length {
+                out.push(LocalHit { part: SIDE, ..LocalHit::at(t) });
+            }
+        };
+        if a.abs() < EPS * EPS {
+            if b != 0.0 {
+                push(-0.5 * c / b);
+            }
+            return;
+        }
+        let discriminant = b * b - a * c;
+        if discriminant > 0.0 {
+            let q = -(b + discriminant.sqrt().copysign(b));
+            push(q / a);
+            if q != 0.0 {
+                push(c / q);
+            }
+        }
+    }
+}
+
+impl Surface for Cone {
+    fn bounds(&self) -> Aabb {
+        let extent = (Vec3::ONE - self.axis * self.axis).max(Vec3::ZERO).map(f64::sqrt);
+        let ring = |at: Vec3, radius: f64| {
+            let e = extent * radius.abs();
+            Aabb { min: at - e, max: at + e }
+        };
+        let cap = self.base + self.axis * self.length;
+        ring(self.base, self.base_radius).union(&ring(cap, self.cap_radius))
+    }
+
+    fn hits(&self, ray: &Ray, range: (f64, f64), out: &mut Vec<LocalHit>) {
+        out.extend(self.all(ray, beyond(range, LEAST)));
+    }
+
+    #[inline]
+    fn closest(&self, ray: &Ray, range: (f64, f64)) -> Option<LocalHit> {
+        self.all(ray, beyond(range, LEAST)).into_iter().min_by(|a, b| a.t.total_cmp(&b.t))
+    }
+
+    /// A hair more than the closed solid, a hair less than the open one.
+    fn inside(&self, p: Vec3) -> bool {
+        let tolerance = if self.open { -EPS } else { EPS };
+        let (h, offset) = self.split(p - self.base);
+        let along = h / self.length;
+        if !(along >= -tolerance && along <= 1.0 + tolerance) {
+            return false;
+        }
+        let (r, widest) = (self.base_radius + self.slope * h, self.widest());
+        offset.length_squared() <= r * r + tolerance * widest * widest
+    }
+
+    fn normal(&self, p: Vec3, hit: &LocalHit) -> Vec3 {
+        match hit.part {
+            BASE => -self.axis,
+            CAP => self.axis,
+            _ => {
+                let (h, offset) = self.split(p - self.base);
+                let r = self.base_radius + self.slope * h;
+                (offset - self.axis * (r * self.slope)).normalize_or(self.axis)
+            }
+        }
+    }
+}

@@ -1,0 +1,235 @@
+//! The compiled tree: leaves, and groups of them that must be asked together (CSG, clipped or bounded objects).
+//!
+//! Unions, merges and intersections are all that is left of the operations: a difference is an intersection with
+//! inverted members, and inversion has been carried down to the leaves. A surface point counts where the other members
+//! have it so (shapes spec, section 8), so a hit is judged on its own and queries may be cut to any range.
+use raggio_math::{Ray, Vec3};
+
+use crate::index::Index;
+use crate::leaf::Leaves;
+use crate::{Hit, LocalHit};
+
+/// A node: a leaf or a group.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct NodeRef(u32);
+
+/// What a [`NodeRef`] stands for.
+pub(crate) enum Node {
+    Leaf(u32),
+    Group(u32),
+}
+
+impl NodeRef {
+    const GROUP: u32 = 1 << 31;
+
+    pub(crate) fn leaf(index: usize) -> Self {
+        NodeRef(index as u32)
+    }
+
+    pub(crate) fn group(index: usize) -> Self {
+        NodeRef(index as u32 | Self::GROUP)
+    }
+
+    #[inline]
+    pub(crate) fn node(self) -> Node {
+        match self.0 & Self::GROUP {
+            0 => Node::Leaf(self.0),
+            _ => Node::Group(self.0 & !Self::GROUP),
+        }
+    }
+}
+
+/// How a group combines its members.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Op {
+    Union,
+    Merge,
+    Intersection,
+}
+
+/// A member of a group.
+#[derive(Clone, Copy)]
+pub(crate) struct Member {
+    pub(crate) node: NodeRef,
+    /// Classes of rays that do not see it; bits of [`crate::RayClass`].
+    pub(crate) skip: u8,
+}
+
+/// Objects asked together.
+pub(crate) struct Group {
+    pub(crate) op: Op,
+    pub(crate) members: Vec<Member>,
+    /// Where the members' surfaces are.
+    pub(crate) surfaces: Index,
+    /// Where one member alone decides about inside: where it may contain a point (union, merge), or may not
+    /// (intersection). `None`: the same boxes as `surfaces`.
+    pub(crate) deciding: Option<Index>,
+    /// Points outside any of them do not exist.
+    pub(crate) clips: Vec<NodeRef>,
+    /// Rays that miss any of them miss the group.
+    pub(crate) bounds: Vec<NodeRef>,
+}
+
+/// Room for lists of hits, kept from ray to ray.
+#[derive(Default)]
+pub(crate) struct Scratch {
+    pub(crate) hits: Vec<Hit>,
+    pub(crate) local: Vec<LocalHit>,
+}
+
+/// Leaves and groups.
+pub(crate) struct Tree {
+    pub(crate) leaves: Leaves,
+    pub(crate) groups: Vec<Group>,
+}
+
+/// No member of a group.
+const NOBODY: u32 = u32::MAX;
+
+impl Tree {
+    /// The nearest hit of a node, for rays of the class whose bit is `class`.
+    #[inline]
+    pub(crate) fn closest(
+        &self,
+        node: NodeRef,
+        ray: &Ray,
+        range: (f64, f64),
+        class: u8,
+        scratch: &mut Scratch,
+    ) -> Option<Hit> {
+        match node.node() {
+            Node::Leaf(leaf) => self.leaves.closest(leaf, ray, range),
+            Node::Group(group) => {
+                self.group_closest(&self.groups[group as usize], ray, range, class, scratch)
+            }
+        }
+    }
+
+    pub(crate) fn group_closest(
+        &self,
+        group: &Group,
+        ray: &Ray,
+        range: (f64, f64),
+        class: u8,
+        scratch: &mut Scratch,
+    ) -> Option<Hit> {
+        if !self.within_bounds(group, ray, scratch) {
+            return None;
+        }
+        let all_count = group.op == Op::Union && group.clips.is_empty();
+        let mut best: Option<Hit> = None;
+        group.surfaces.closest(ray, range, |index, far| {
+            let member = &group.members[index as usize];
+            if member.skip & class != 0 {
+                return None;
+            }
+            let hit = match all_count {
+                true => self.closest(member.node, ray, (range.0, far), class, scratch)?,
+                false => self.closest_that_counts(group, index, ray, (range.0, far), class, scratch)?,
+            };
+            best = Some(hit);
+            Some(hit.t)
+        });
+        best
+    }
+
+    /// The nearest of a member's hits that the group lets count.
+    fn closest_that_counts(
+        &self,
+        group: &Group,
+        member: u32,
+        ray: &Ray,
+        range: (f64, f64),
+        class: u8,
+        scratch: &mut Scratch,
+    ) -> Option<Hit> {
+        let start = scratch.hits.len();
+        self.hits(group.members[member as usize].node, ray, range, class, scratch);
+        let found = &mut scratch.hits[start..];
+        found.sort_unstable_by(|a, b| a.t.total_cmp(&b.t));
+        let best = found.iter().find(|hit| self.counts(group, member, ray.at(hit.t))).copied();
+        scratch.hits.truncate(start);
+        best
+    }
+
+    /// Appends every hit of a node, in any order.
+    pub(crate) fn hits(&self, node: NodeRef, ray: &Ray, range: (f64, f64), class: u8, scratch: &mut Scratch) {
+        let group = match node.node() {
+            Node::Leaf(leaf) => {
+                return self.leaves.hits(leaf, ray, range, &mut scratch.local, &mut scratch.hits);
+            }
+            Node::Group(group) => &self.groups[group as usize],
+        };
+        if !self.within_bounds(group, ray, scratch) {
+            return;
+        }
+        group.surfaces.all(ray, range, |index| {
+            let member = &group.members[index as usize];
+            if member.skip & class != 0 {
+                return;
+            }
+            let start = scratch.hits.len();
+            self.hits(member.node, ray, range, class, scratch);
+            let mut kept = start;
+            for i in start..scratch.hits.len() {
+                if self.counts(group, index, ray.at(scratch.hits[i].t)) {
+                    scratch.hits.swap(kept, i);
+                    kept += 1;
+                }
+            }
+            scratch.hits.truncate(kept);
+        });
+    }
+
+    /// Does a point on the surface of a member belong to the surface of the group?
+    fn counts(&self, group: &Group, member: u32, p: Vec3) -> bool {
+        self.within_clips(group, p)
+            && match group.op {
+                Op::Union => true,
+                Op::Merge => !self.any_contains(group, p, member),
+                Op::Intersection => !self.any_lacks(group, p, member),
+            }
+    }
+
+    /// Is the point inside the node?
+    pub(crate) fn inside(&self, node: NodeRef, p: Vec3) -> bool {
+        match node.node() {
+            Node::Leaf(leaf) => self.leaves.inside(leaf, p),
+            Node::Group(group) => self.group_inside(&self.groups[group as usize], p),
+        }
+    }
+
+    pub(crate) fn group_inside(&self, group: &Group, p: Vec3) -> bool {
+        self.within_clips(group, p)
+            && match group.op {
+                Op::Union | Op::Merge => self.any_contains(group, p, NOBODY),
+                Op::Intersection => !self.any_lacks(group, p, NOBODY),
+            }
+    }
+
+    fn any_contains(&self, group: &Group, p: Vec3, except: u32) -> bool {
+        group.deciding().any_around(p, |m| m != except && self.inside(group.members[m as usize].node, p))
+    }
+
+    fn any_lacks(&self, group: &Group, p: Vec3, except: u32) -> bool {
+        group.deciding().any_around(p, |m| m != except && !self.inside(group.members[m as usize].node, p))
+    }
+
+    pub(crate) fn within_clips(&self, group: &Group, p: Vec3) -> bool {
+        group.clips.iter().all(|&clip| self.inside(clip, p))
+    }
+
+    /// A ray is shot at the group only if it starts inside every bound or hits it (shapes spec, section 1.4).
+    fn within_bounds(&self, group: &Group, ray: &Ray, scratch: &mut Scratch) -> bool {
+        group.bounds.iter().all(|&bound| {
+            self.inside(bound, ray.origin)
+                || self.closest(bound, ray, (0.0, f64::INFINITY), 0, scratch).is_some()
+        })
+    }
+}
+
+impl Group {
+    pub(crate) fn deciding(&self) -> &Index {
+        self.deciding.as_ref().unwrap_or(&self.surfaces)
+    }
+}

@@ -1,0 +1,201 @@
+//! A layer's answer to the lights: diffuse, highlights, iridescence (light spec, section 4).
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+use raggio_geometry::RayClass;
+use raggio_image::Rgb;
+use raggio_math::{EPS, Vec3, noise};
+use raggio_scene::{Finish, Irid};
+
+use super::Tracer;
+use super::surface::SurfacePoint;
+use crate::lights::{LightSource, Path};
+
+/// Everything about a layer that its answer to a light depends on.
+struct Lit<'a> {
+    finish: &'a Finish,
+    n: Vec3,
+    /// The pigment's colour.
+    rgb: Rgb,
+    opacity: f32,
+    /// The ray's direction.
+    view: Vec3,
+    highlights: bool,
+}
+
+/// How much a metal tints at an angle given in quarter turns: Fresnel's curve as an approximation.
+pub(super) fn metal_tint(cosine: f64) -> f32 {
+    let x = cosine.clamp(-1.0, 1.0).acos().abs() / FRAC_PI_2;
+    (0.014567225 / ((x - 1.12) * (x - 1.12)) - 0.011612903).clamp(0.0, 1.0) as f32
+}
+
+/// `light` tinted by a metal of colour `rgb`.
+pub(super) fn tinted(light: Rgb, metallic: f32, cosine: f64, rgb: Rgb) -> Rgb {
+    light * (Rgb::ONE + (rgb - Rgb::ONE) * (metallic * (1.0 - metal_tint(cosine))))
+}
+
+impl Tracer<'_> {
+    /// What a layer sends back of all lights.
+    pub(super) fn local_light(
+        &mut self,
+        point: &SurfacePoint<'_>,
+        finish: &Finish,
+        n: Vec3,
+        rgb: Rgb,
+        opacity: f32,
+    ) -> Rgb {
+        let dull = finish.diffuse == 0.0 && finish.diffuse_back == 0.0;
+        if dull && finish.specular == 0.0 && finish.phong == 0.0 {
+            return Rgb::ZERO;
+        }
+        let highlights = point.beam.class != RayClass::Radiosity;
+        let lit = Lit { finish, n, rgb, opacity, view: point.beam.ray.dir, highlights };
+        let mut sum = Rgb::ZERO;
+        for (i, &light) in point.lights.iter().enumerate() {
+            let source = &self.world.lights[light as usize];
+            let wide = self.quality.area_lights() && source.area.as_ref().is_some_and(|a| a.illumination);
+            let share = if wide {
+                self.light_by_area(point, &lit, i, source)
+            } else {
+                self.light_by_centre(point, &lit, i, source)
+            };
+            sum += share;
+        }
+        sum
+    }
+
+    fn light_by_centre(
+        &mut self,
+        point: &SurfacePoint<'_>,
+        lit: &Lit<'_>,
+        i: usize,
+        source: &LightSource,
+    ) -> Rgb {
+        let path = source.path(point.surface.p);
+        let Some(back) = facing(point, lit, &path) else { return Rgb::ZERO };
+        let light = self.arriving_once(point, i, |tracer| {
+            let bare = source.arriving(point.surface.p, &path, source.position);
+            tracer.after_shadows(source, point.surface.p, &path, bare, &point.beam.interiors)
+        });
+        if light.abs().max_element() <= EPS as f32 {
+            return Rgb::ZERO;
+        }
+        let sum = self.answer(lit, source, light, &path, back);
+        self.iridescent(point, lit, &path, sum)
+    }
+
+    /// `area_illumination`: every point of the light lights by its own direction, all share one shadow.
+    fn light_by_area(
+        &mut self,
+        point: &SurfacePoint<'_>,
+        lit: &Lit<'_>,
+        i: usize,
+        source: &LightSource,
+    ) -> Rgb {
+        let Some(grid) = &source.area else { return Rgb::ZERO };
+        let p = point.surface.p;
+        let centre = source.path(p);
+        let shadowed = self.arriving_once(point, i, |tracer| {
+            tracer.after_shadows(source, p, &centre, source.color, &point.beam.interiors)
+        });
+        if shadowed.abs().max_element() <= EPS as f32 {
+            return Rgb::ZERO;
+        }
+        let each = shadowed / (grid.size1 * grid.size2) as f32;
+        let axes = grid.axes(centre.dir);
+        let mut sum = Rgb::ZERO;
+        for v in 0..grid.size2 {
+            for u in 0..grid.size1 {
+                let from = source.position + grid.offset(axes, u, v, &mut self.streams.lights);
+                let path = source.path_to(p, from);
+                let Some(back) = facing(point, lit, &path) else { continue };
+                let light = each * source.attenuation(p, &path, from) as f32;
+                let answer = self.answer(lit, source, light, &path, back);
+                sum += self.iridescent(point, lit, &path, answer);
+            }
+        }
+        sum
+    }
+
+    /// Diffuse light and highlights of one light.
+    fn answer(&mut self, lit: &Lit<'_>, source: &LightSource, light: Rgb, path: &Path, back: bool) -> Rgb {
+        let finish = lit.finish;
+        let cosine = lit.n.dot(path.dir);
+        let mut sum = Rgb::ZERO;
+        let diffuse = if back { finish.diffuse_back } else { finish.diffuse };
+        if diffuse > 0.0 {
+            let bright = f64::from(finish.brilliance);
+            let lobe = if bright == 1.0 { cosine.abs() } else { cosine.abs().powf(bright) };
+            let mut intensity = lobe as f32 * diffuse * lit.opacity;
+            if finish.crand > 0.0 {
+                intensity -= self.streams.crand.next() as f32 * finish.crand;
+            }
+            sum += lit.rgb * light * intensity;
+        }
+        if lit.highlights && !source.shadowless && !back {
+            let strength = highlight(lit, path);
+            if strength != 0.0 {
+                let tint = match finish.metallic != 0.0 {
+                    true => tinted(light, finish.metallic, cosine, lit.rgb),
+                    false => light,
+                };
+                sum += tint * strength;
+            }
+        }
+        sum
+    }
+
+    fn iridescent(&self, point: &SurfacePoint<'_>, lit: &Lit<'_>, path: &Path, light: Rgb) -> Rgb {
+        match &lit.finish.irid {
+            Some(irid) if irid.amount != 0.0 => {
+                let way = lit.n.dot(path.dir).abs() + lit.n.dot(lit.view).abs();
+                light * self.interference(irid, point.surface.p, way)
+            }
+            _ => light,
+        }
+    }
+
+    /// Brightening and darkening by a thin film (textures spec, section 9.3).
+    fn interference(&self, irid: &Irid, p: Vec3, way: f64) -> Rgb {
+        let mut thickness = f64::from(irid.thickness);
+        if irid.turbulence != 0.0 {
+            let t = noise::turbulence(self.world.rules.noise.generator, p, 5, 0.5, 2.0);
+            thickness *= 1.0 + f64::from(irid.turbulence) * (2.0 * t - 1.0);
+        }
+        let wave = |lambda: f32| {
+            let phase = TAU * thickness * way / f64::from(lambda);
+            1.0 + irid.amount * phase.cos() as f32
+        };
+        let lambda = self.world.rules.wavelengths;
+        Rgb::new(wave(lambda.x), wave(lambda.y), wave(lambda.z))
+    }
+}
+
+/// Does light from this side count? `Some(true)` is light from behind.
+fn facing(point: &SurfacePoint<'_>, lit: &Lit<'_>, path: &Path) -> Option<bool> {
+    if point.material.double_illuminate || lit.n.dot(path.dir) >= EPS {
+        return Some(false);
+    }
+    (lit.finish.diffuse_back != 0.0).then_some(true)
+}
+
+/// The strength of `phong` and `specular` highlights together.
+fn highlight(lit: &Lit<'_>, path: &Path) -> f32 {
+    let finish = lit.finish;
+    let mut strength = 0.0;
+    if finish.phong > 0.0 {
+        let mirrored = lit.view - lit.n * (2.0 * lit.view.dot(lit.n));
+        let x = mirrored.dot(path.dir);
+        // Sharp highlights are cut where their power would be lost in rounding.
+        if x > 0.0 && (finish.phong_size < 60.0 || x > 0.0008) {
+            strength += finish.phong * x.powf(f64::from(finish.phong_size)) as f32;
+        }
+    }
+    if finish.specular > 0.0 {
+        let halfway = (path.dir - lit.view) * 0.5;
+        let x = lit.n.dot(halfway) / halfway.length();
+        if x > 0.0 {
+            strength += finish.specular * x.powf(1.0 / f64::from(finish.roughness)) as f32;
+        }
+    }
+    strength
+}

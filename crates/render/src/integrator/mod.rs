@@ -1,0 +1,200 @@
+//! The Whitted integrator with POV-Ray's rules: what a ray sees (light spec, section 3).
+mod dispersion;
+mod interiors;
+mod layers;
+mod local;
+mod reflection;
+mod refraction;
+pub(crate) mod surface;
+mod textures;
+
+use raggio_geometry::{Hit, InteriorId, RayClass};
+use raggio_image::Rgb;
+use raggio_math::{FAR, MIN_HIT, Ray};
+use smallvec::SmallVec;
+
+use crate::lights::AreaScratch;
+use crate::radiosity;
+use crate::sampling::Streams;
+use crate::world::World;
+
+pub use interiors::toggle;
+pub(crate) use refraction::fade;
+pub use textures::{NormalPath, for_each_plain, placed};
+
+/// The interiors around a ray, in the order in which it entered them.
+pub type Interiors = SmallVec<[InteriorId; 8]>;
+
+/// A ray with its history.
+#[derive(Clone, Debug)]
+pub struct Beam {
+    /// Where it goes.
+    pub ray: Ray,
+    /// What it is inside of.
+    pub interiors: Interiors,
+    /// How much it counts for the picture.
+    pub weight: f32,
+    /// Which objects it sees.
+    pub class: RayClass,
+    /// Does a miss show as transparency?
+    pub alpha: bool,
+    /// In nanometres; `None` while it carries all light.
+    pub wavelength: Option<f64>,
+    /// Hits beyond do not count.
+    pub reach: f64,
+}
+
+/// What a ray sees.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Seen {
+    /// Light, premultiplied.
+    pub rgb: Rgb,
+    /// What is seen through.
+    pub transmit: f32,
+}
+
+impl Seen {
+    /// Opaque black.
+    pub const BLACK: Seen = Seen { rgb: Rgb::ZERO, transmit: 0.0 };
+}
+
+/// What the quality option leaves on (light spec, section 8).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Quality {
+    level: u8,
+    area_lights: bool,
+    volume: bool,
+}
+
+#[allow(missing_docs)]
+impl Quality {
+    pub fn new(level: u8) -> Self {
+        Quality { level, area_lights: level >= 5, volume: level >= 9 }
+    }
+    /// Gathered light does without soft shadows, and without fog and media unless they are asked for.
+    pub fn for_gather(self, media: bool) -> Self {
+        Quality { area_lights: false, volume: self.volume && media, ..self }
+    }
+    pub fn lights(self) -> bool {
+        self.level >= 2
+    }
+    pub fn shadows(self) -> bool {
+        self.level >= 4
+    }
+    pub fn area_lights(self) -> bool {
+        self.area_lights
+    }
+    pub fn quick_color(self) -> bool {
+        self.level <= 5
+    }
+    pub fn refraction(self) -> bool {
+        self.level >= 6
+    }
+    pub fn reflection(self) -> bool {
+        self.level >= 8
+    }
+    pub fn normals(self) -> bool {
+        self.level >= 8
+    }
+    pub fn volume(self) -> bool {
+        self.volume
+    }
+    pub fn radiosity(self) -> bool {
+        self.level >= 9
+    }
+}
+
+/// A thread's tracer: the world, the state of the present ray tree, and memory to work in.
+pub struct Tracer<'w> {
+    /// What rays are shot at.
+    pub world: &'w World,
+    /// What is left on.
+    pub quality: Quality,
+    /// Random numbers of the present camera sample.
+    pub streams: Streams,
+    /// Rays so far in the present row.
+    pub(crate) level: u16,
+    pub(crate) max_level: u16,
+    /// Rays with less weight are not traced.
+    pub(crate) bailout: f32,
+    /// Diffuse light between surfaces, where the scene has it.
+    pub radiosity: Option<radiosity::State<'w>>,
+    /// Light that arrives at the surface points in work, by light, each once for all layers.
+    arriving: Vec<Option<Rgb>>,
+    pub(crate) area_scratch: AreaScratch,
+    /// Where the stack stood at first, and how much of it may be used: rays that pass straight through count for no
+    /// level, so that nothing else limits them.
+    stack_base: usize,
+    stack_allowance: usize,
+}
+
+impl<'w> Tracer<'w> {
+    /// A tracer for the thread that calls, which may use that many bytes of its stack.
+    pub fn new(world: &'w World, quality: Quality, max_level: u16, stack_allowance: usize) -> Self {
+        Tracer {
+            world,
+            quality,
+            streams: Streams::default(),
+            level: 0,
+            max_level,
+            bailout: world.rules.bailout,
+            radiosity: None,
+            arriving: Vec::new(),
+            area_scratch: AreaScratch::default(),
+            stack_base: stack_position(),
+            stack_allowance,
+        }
+    }
+
+    /// What a ray sees. `continued` rays go straight on through a surface and use up no level.
+    pub fn trace(&mut self, beam: &Beam, continued: bool) -> Seen {
+        let spent = self.stack_base.abs_diff(stack_position()) > self.stack_allowance;
+        if self.level >= self.max_level || beam.weight < self.bailout || spent {
+            return Seen::BLACK;
+        }
+        let hit = self.world.geometry.closest(&beam.ray, (MIN_HIT, beam.reach), beam.class);
+        self.follow(beam, hit.as_ref(), continued)
+    }
+
+    /// What a ray sees whose nearest hit is known.
+    pub fn follow(&mut self, beam: &Beam, hit: Option<&Hit>, continued: bool) -> Seen {
+        let step = u16::from(!continued);
+        self.level += step;
+        let mut seen = match hit {
+            Some(hit) => self.surface(beam, hit),
+            None => self.world.sky.miss(beam),
+        };
+        self.level -= step;
+        if self.quality.volume() {
+            self.atmosphere(beam, hit, &mut seen);
+        }
+        seen
+    }
+
+    /// Rainbows, media of empty space and fog over the way to the hit.
+    fn atmosphere(&mut self, beam: &Beam, hit: Option<&Hit>, seen: &mut Seen) {
+        let world = self.world;
+        let depth = hit.map_or(FAR, |hit| hit.t);
+        if (world.sky.is_clear() && world.air.is_empty()) || !world.all_hollow(&beam.interiors) {
+            return;
+        }
+        world.sky.rainbows(&beam.ray, depth, &mut self.streams.lights, seen);
+        if !world.air.is_empty() {
+            let lights = match hit {
+                Some(hit) => {
+                    let surface = world.geometry.interaction(&beam.ray, hit);
+                    world.light_sets.of(world.material(&surface))
+                }
+                None => world.light_sets.global(),
+            };
+            self.media_along(&[&world.air], beam, depth, lights, seen);
+        }
+        world.sky.fogs(&beam.ray, depth, seen);
+    }
+}
+
+/// Where the stack stands, as a number that only serves to be compared.
+fn stack_position() -> usize {
+    let here = 0u8;
+    std::hint::black_box(std::ptr::addr_of!(here)) as usize
+}

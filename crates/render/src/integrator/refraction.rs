@@ -1,0 +1,166 @@
+//! Going through a surface: Snell's law, total reflection, fading inside (light spec, sections 3.3 and 3.5).
+use raggio_image::Rgb;
+use raggio_math::{EPS, Ray, Vec3};
+use raggio_scene::Interior;
+
+use super::dispersion;
+use super::interiors::Crossing;
+use super::reflection::reflected;
+use super::surface::SurfacePoint;
+use super::{Beam, Seen, Tracer};
+use crate::world::WorldInterior;
+
+/// What lies behind a surface.
+pub(super) struct Behind {
+    pub seen: Seen,
+    /// Was it all reflected?
+    pub total: bool,
+}
+
+impl Tracer<'_> {
+    /// Follows the ray through the surface.
+    pub(super) fn refract(&mut self, point: &SurfacePoint<'_>, n: Vec3, weight: f32) -> Behind {
+        let crossing = self.world.cross(&point.beam.interiors, point.material.interior);
+        let spreads = crossing.dispersion != 1.0;
+        if (crossing.eta - 1.0).abs() < EPS && !spreads {
+            let beam = through(point, point.beam.ray.dir, weight, &crossing);
+            return Behind { seen: self.trace(&beam, true), total: false };
+        }
+        if !spreads {
+            return self.bent(point, n, weight, &crossing, crossing.eta, point.beam.wavelength);
+        }
+        match point.beam.wavelength {
+            Some(wavelength) => {
+                let eta = dispersion::eta(&crossing, wavelength);
+                self.bent(point, n, weight, &crossing, eta, Some(wavelength))
+            }
+            None => self.dispersed(point, n, weight, &crossing),
+        }
+    }
+
+    /// All colours, each bent by its own index.
+    fn dispersed(&mut self, point: &SurfacePoint<'_>, n: Vec3, weight: f32, crossing: &Crossing) -> Behind {
+        let mut sum = Seen::BLACK;
+        for i in 0..crossing.samples {
+            let (wavelength, hue) = dispersion::sample(i, crossing.samples);
+            let eta = dispersion::eta(crossing, wavelength);
+            let seen = self.bent(point, n, weight, crossing, eta, Some(wavelength)).seen;
+            sum.rgb += seen.rgb * hue;
+            sum.transmit += seen.transmit;
+        }
+        let share = 1.0 / crossing.samples.max(1) as f32;
+        Behind { seen: Seen { rgb: sum.rgb * share, transmit: sum.transmit * share }, total: false }
+    }
+
+    /// One bent ray, or the reflected one beyond the critical angle.
+    fn bent(
+        &mut self,
+        point: &SurfacePoint<'_>,
+        n: Vec3,
+        weight: f32,
+        crossing: &Crossing,
+        eta: f64,
+        wavelength: Option<f64>,
+    ) -> Behind {
+        match refracted_direction(point.beam.ray.dir, n, eta) {
+            Some(dir) => {
+                let beam = Beam { wavelength, ..through(point, dir, weight, crossing) };
+                Behind { seen: self.trace(&beam, false), total: false }
+            }
+            None => {
+                let beam = Beam { wavelength, ..reflected(point, n, weight) };
+                Behind { seen: self.trace(&beam, false), total: true }
+            }
+        }
+    }
+}
+
+fn through(point: &SurfacePoint<'_>, dir: Vec3, weight: f32, crossing: &Crossing) -> Beam {
+    Beam {
+        ray: Ray::new(point.surface.p, dir),
+        interiors: crossing.interiors.clone(),
+        weight,
+        class: point.beam.class,
+        alpha: point.beam.alpha,
+        wavelength: point.beam.wavelength,
+        reach: f64::INFINITY,
+    }
+}
+
+/// Snell's law for unit vectors; `None` is total reflection.
+fn refracted_direction(d: Vec3, n: Vec3, eta: f64) -> Option<Vec3> {
+    let cosine = d.dot(n);
+    let (c, m) = if cosine <= 0.0 { (-cosine, n) } else { (cosine, -n) };
+    let t = 1.0 + eta * eta * (c * c - 1.0);
+    if t < 0.0 {
+        return None;
+    }
+    (d * eta + m * (eta * c - t.sqrt())).try_normalize()
+}
+
+impl WorldInterior {
+    /// What is left of light that came through the object to the point, for a ray that was inside it.
+    pub(super) fn seen_through(&self, point: &SurfacePoint<'_>) -> Rgb {
+        let old = self.interior.old_refraction;
+        let inside = point.beam.interiors.contains(&point.material.interior);
+        if inside { fade(&self.interior, point.depth) * old } else { Rgb::splat(old) }
+    }
+}
+
+/// The part of light that is left after a way inside (light spec, section 3.5).
+pub(crate) fn fade(interior: &Interior, depth: f64) -> Rgb {
+    if f64::from(interior.fade_distance).abs() <= EPS {
+        return Rgb::ONE;
+    }
+    let way = (depth / f64::from(interior.fade_distance)) as f32;
+    let color = interior.fade_color;
+    if interior.fade_power >= 1000.0 {
+        let dim = (color - Rgb::ONE) * way;
+        return Rgb::new(dim.x.exp(), dim.y.exp(), dim.z.exp());
+    }
+    color + (Rgb::ONE - color) / (1.0 + way.powf(interior.fade_power))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn refraction_obeys_snell() {
+        for (eta, degrees) in [(1.0 / 1.5, 40.0), (1.5, 30.0), (1.0 / 2.4, 85.0)] {
+            let i = f64::to_radians(degrees);
+            let d = Vec3::new(i.sin(), -i.cos(), 0.0);
+            let t = refracted_direction(d, Vec3::Y, eta).unwrap();
+            assert!((t.x - eta * i.sin()).abs() < 1e-12 && t.y < 0.0);
+            assert!((t.length() - 1.0).abs() < 1e-12);
+            // The other side of the normal changes nothing.
+            assert_eq!(refracted_direction(d, -Vec3::Y, eta), Some(t));
+        }
+    }
+
+    #[test]
+    fn beyond_the_critical_angle_nothing_passes() {
+        let at = |degrees: f64| {
+            let i = degrees.to_radians();
+            refracted_direction(Vec3::new(i.sin(), -i.cos(), 0.0), Vec3::Y, 1.5)
+        };
+        // asin(1 / 1.5) is 41.81 degrees.
+        assert!(at(41.8).is_some());
+        assert!(at(41.82).is_none());
+    }
+
+    #[test]
+    fn fading_by_power_and_exponentially() {
+        let mut interior = Interior {
+            fade_distance: 2.0,
+            fade_power: 2.0,
+            fade_color: Rgb::new(0.0, 0.5, 1.0),
+            ..Default::default()
+        };
+        assert!((fade(&interior, 4.0) - Rgb::new(0.2, 0.6, 1.0)).length() < 1e-6);
+        interior.fade_power = 1001.0;
+        assert!((fade(&interior, 4.0).x - (-2f32).exp()).abs() < 1e-6);
+        interior.fade_distance = 0.0;
+        assert_eq!(fade(&interior, 4.0), Rgb::ONE);
+    }
+}

@@ -1,0 +1,76 @@
+//! From a texture at a place to its plain layers: placement, maps, uv, and the way of normals through them.
+use raggio_math::{Vec2, Vec3, transform::normal_by_inverse};
+use raggio_shading::{Context, Layer, Texture, TextureMap};
+
+use crate::world::{Frame, WorldTexture};
+
+/// The spaces that a normal goes through on its way from the world to a layer.
+#[derive(Clone, Copy)]
+pub struct NormalPath<'a> {
+    outer: Option<&'a NormalPath<'a>>,
+    step: Step<'a>,
+}
+
+#[derive(Clone, Copy)]
+enum Step<'a> {
+    Stay,
+    Placed(&'a Frame),
+    Map(&'a TextureMap),
+}
+
+impl NormalPath<'_> {
+    /// A normal of the world in the layer's space.
+    pub fn enter(&self, n: Vec3) -> Vec3 {
+        let n = self.outer.map_or(n, |outer| outer.enter(n));
+        match self.step {
+            Step::Stay => n,
+            Step::Placed(frame) => unit(normal_by_inverse(&frame.world_from_texture, n)),
+            Step::Map(map) => map.normal_in(n),
+        }
+    }
+
+    /// A normal of the layer's space in the world.
+    pub fn leave(&self, n: Vec3) -> Vec3 {
+        let n = match self.step {
+            Step::Stay => n,
+            Step::Placed(frame) => unit(normal_by_inverse(&frame.texture_from_world, n)),
+            Step::Map(map) => map.normal_out(n),
+        };
+        self.outer.map_or(n, |outer| outer.leave(n))
+    }
+}
+
+fn unit(n: Vec3) -> Vec3 {
+    n.try_normalize().unwrap_or(n)
+}
+
+/// What a plain texture is asked with: its layers, the point, its weight, the way of normals.
+type Visit<'v> = dyn FnMut(&[Layer], Vec3, f32, &NormalPath<'_>) + 'v;
+
+/// A texture at its place: the path of its normals, and the point at which it is asked.
+pub fn placed<'a>(texture: &'a WorldTexture, p: Vec3, uv: Option<Vec2>) -> (NormalPath<'a>, Vec3) {
+    let step = texture.frame.as_ref().map_or(Step::Stay, Step::Placed);
+    let p = uv.map_or(p, |uv| uv.extend(0.0));
+    (NormalPath { outer: None, step }, texture.point(p))
+}
+
+/// Visits every plain texture that counts at a point.
+pub fn for_each_plain(
+    texture: &Texture,
+    p: Vec3,
+    weight: f32,
+    path: &NormalPath<'_>,
+    context: &Context,
+    visit: &mut Visit<'_>,
+) {
+    match texture {
+        Texture::Layers(layers) => visit(layers, p, weight, path),
+        Texture::Uv(inner) => for_each_plain(inner, context.uv.extend(0.0), weight, path, context, visit),
+        Texture::Map(map) => {
+            let path = NormalPath { outer: Some(path), step: Step::Map(map) };
+            map.select(p, context, &mut |inner, share, p| {
+                for_each_plain(inner, p, weight * share, &path, context, visit);
+            });
+        }
+    }
+}

@@ -1,0 +1,191 @@
+//! Area lights: the grid of samples and its recursive average (light spec, section 5.3).
+use raggio_image::Rgb;
+use raggio_math::Vec3;
+use raggio_scene as scene;
+
+use super::LightSource;
+use crate::sampling::Stream;
+
+/// The samples of an area light.
+pub struct AreaGrid {
+    axis1: Vec3,
+    axis2: Vec3,
+    /// Samples along the first axis.
+    pub size1: u32,
+    /// Samples along the second axis.
+    pub size2: u32,
+    /// Levels that are always divided.
+    pub adaptive: u32,
+    /// Are samples moved at random?
+    pub jitter: bool,
+    circular: bool,
+    orient: bool,
+    /// Does every sample light the surface by its own direction?
+    pub illumination: bool,
+}
+
+impl AreaGrid {
+    /// Makes a grid ready.
+    pub fn new(area: &scene::AreaLight) -> AreaGrid {
+        AreaGrid {
+            axis1: area.axis1,
+            axis2: area.axis2,
+            size1: area.size1.max(1),
+            size2: area.size2.max(1),
+            adaptive: area.adaptive.unwrap_or(100),
+            jitter: area.jitter,
+            circular: (area.circular || area.orient) && area.size1 > 1 && area.size2 > 1,
+            orient: area.orient,
+            illumination: area.area_illumination,
+        }
+    }
+
+    /// The grid's axes as seen from a point; `to_light` is the unit vector towards the light's centre.
+    pub fn axes(&self, to_light: Vec3) -> (Vec3, Vec3) {
+        if !self.orient {
+            return (self.axis1, self.axis2);
+        }
+        let length = self.axis1.length();
+        let helper = if (to_light.z.abs() - 1.0).abs() < 0.01 { Vec3::Y } else { Vec3::Z };
+        let unit = |v: Vec3| v.try_normalize().unwrap_or(Vec3::X);
+        let axis1 = unit(to_light.cross(helper)) * length;
+        (axis1, unit(to_light.cross(axis1)) * length)
+    }
+
+    /// Where grid point (u, v) lies from the light's centre. Jitter draws u first.
+    pub fn offset(&self, axes: (Vec3, Vec3), u: u32, v: u32, random: &mut Stream) -> Vec3 {
+        let (mut u, mut v) = (f64::from(u), f64::from(v));
+        if self.jitter {
+            u += random.next() - 0.5;
+            v += random.next() - 0.5;
+        }
+        let place = |k: f64, n: u32| if n > 1 { k / f64::from(n - 1) - 0.5 } else { 0.0 };
+        let (s, t) = (place(u, self.size1), place(v, self.size2));
+        if !self.circular {
+            return axes.0 * s + axes.1 * t;
+        }
+        let (s, t) = (s + 0.001, t + 0.001);
+        let round = s.abs().max(t.abs()) / s.hypot(t).max(1e-300);
+        axes.0 * (s * round) + axes.1 * (t * round)
+    }
+}
+
+/// Values of grid points that were looked at already for the present surface point.
+#[derive(Default)]
+pub struct AreaScratch {
+    stamp: u32,
+    cells: Vec<(u32, Rgb)>,
+}
+
+impl AreaScratch {
+    fn begin(&mut self, cells: usize) {
+        self.stamp = self.stamp.wrapping_add(1);
+        if self.cells.len() < cells || self.stamp == 0 {
+            self.cells.clear();
+            self.cells.resize(cells, (0, Rgb::ZERO));
+            self.stamp = 1;
+        }
+    }
+}
+
+/// The mean light of an area light: `shadowed` answers for one point of the light.
+pub fn average(
+    light: &LightSource,
+    grid: &AreaGrid,
+    to_light: Vec3,
+    scratch: &mut AreaScratch,
+    random: &mut Stream,
+    mut shadowed: impl FnMut(Vec3) -> Rgb,
+) -> Rgb {
+    scratch.begin((grid.size1 * grid.size2) as usize);
+    let axes = grid.axes(to_light);
+    let mut corner = |u: u32, v: u32| {
+        let cell = (v * grid.size1 + u) as usize;
+        if scratch.cells[cell].0 != scratch.stamp {
+            let point = light.position + grid.offset(axes, u, v, random);
+            scratch.cells[cell] = (scratch.stamp, shadowed(point));
+        }
+        scratch.cells[cell].1
+    };
+    divide(&mut corner, [0, 0], [grid.size1 - 1, grid.size2 - 1], 0, grid.adaptive)
+}
+
+/// The mean over the rectangle of grid indices from `low` to `high`.
+fn divide(
+    corner: &mut impl FnMut(u32, u32) -> Rgb,
+    low: [u32; 2],
+    high: [u32; 2],
+    level: u32,
+    adaptive: u32,
+) -> Rgb {
+    let mut values =
+        [corner(low[0], low[1]), corner(high[0], low[1]), corner(low[0], high[1]), corner(high[0], high[1])];
+    let divisible = high[0] - low[0] > 1 || high[1] - low[1] > 1;
+    let differs = |a: usize, b: usize| (values[a] - values[b]).abs().element_sum() > 0.1;
+    if divisible && (level < adaptive || differs(0, 1) || differs(1, 3) || differs(3, 2) || differs(2, 0)) {
+        let middle = |k: usize| ((low[k] + high[k]) / 2, (low[k] + high[k]).div_ceil(2));
+        let ((u1, u2), (v1, v2)) = (middle(0), middle(1));
+        let quarters =
+            [(low, [u1, v1]), ([u2, low[1]], [high[0], v1]), ([low[0], v2], [u1, high[1]]), ([u2, v2], high)];
+        for (value, (low, high)) in values.iter_mut().zip(quarters) {
+            *value = divide(corner, low, high, level + 1, adaptive);
+        }
+    }
+    values.iter().sum::<Rgb>() * 0.25
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The weight of every grid point of an `n` by 1 grid, all corners alike.
+    fn weights(n: u32, adaptive: u32) -> Vec<f32> {
+        (0..n)
+            .map(|lit| {
+                let mut corner = |u: u32, _| if u == lit { Rgb::ONE } else { Rgb::ZERO };
+                divide(&mut corner, [0, 0], [n - 1, 0], 0, adaptive).x
+            })
+            .collect()
+    }
+
+    #[test]
+    fn grid_points_weigh_as_leaf_corners() {
+        assert_eq!(weights(3, 100), [0.25, 0.5, 0.25]);
+        assert_eq!(weights(4, 100), [0.25; 4]);
+        assert_eq!(weights(5, 100), [0.125, 0.25, 0.25, 0.25, 0.125]);
+        assert_eq!(weights(1, 100), [1.0]);
+    }
+
+    #[test]
+    fn adaptive_zero_misses_a_blocker_in_the_middle() {
+        let mut corner = |u: u32, v: u32| if (u, v) == (2, 2) { Rgb::ZERO } else { Rgb::ONE };
+        assert_eq!(divide(&mut corner, [0, 0], [4, 4], 0, 0), Rgb::ONE);
+        let mut corner = |u: u32, v: u32| if (u, v) == (2, 2) { Rgb::ZERO } else { Rgb::ONE };
+        assert!(divide(&mut corner, [0, 0], [4, 4], 0, 1).x < 1.0);
+    }
+
+    #[test]
+    fn circular_grids_keep_to_a_disc_and_orient_faces_the_point() {
+        let grid = AreaGrid::new(&scene::AreaLight {
+            axis1: Vec3::X * 2.0,
+            axis2: Vec3::Y * 2.0,
+            size1: 9,
+            size2: 9,
+            adaptive: None,
+            jitter: false,
+            circular: true,
+            orient: true,
+            area_illumination: false,
+            photons_area: false,
+        });
+        let to_light = Vec3::new(1.0, 2.0, 3.0).normalize();
+        let axes = grid.axes(to_light);
+        assert!(axes.0.dot(to_light).abs() < 1e-12 && axes.1.dot(to_light).abs() < 1e-12);
+        let mut random = Stream::default();
+        for u in 0..9 {
+            for v in 0..9 {
+                assert!(grid.offset(axes, u, v, &mut random).length() < 1.01);
+            }
+        }
+    }
+}

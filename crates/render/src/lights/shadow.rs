@@ -1,0 +1,158 @@
+//! Shadow rays: what reaches a surface point of a light (light spec, section 5.4).
+use raggio_geometry::{Hit, Interaction, RayClass};
+use raggio_image::Rgb;
+use raggio_math::{Ray, Vec3};
+use raggio_shading::{Context, Layer};
+
+use super::{LightSource, Path, area};
+use crate::integrator::{Interiors, NormalPath, Tracer, fade, for_each_plain, placed, toggle};
+
+/// Nearer than this to either end of a segment nothing casts a shadow.
+pub const SHADOW_TOLERANCE: f64 = 1e-3;
+
+impl Tracer<'_> {
+    /// What is left of `light` at `p` after everything between it and the source. Area lights give their mean.
+    pub fn after_shadows(
+        &mut self,
+        source: &LightSource,
+        p: Vec3,
+        path: &Path,
+        light: Rgb,
+        interiors: &Interiors,
+    ) -> Rgb {
+        if light == Rgb::ZERO || !self.quality.shadows() {
+            return light;
+        }
+        if source.shadowless && source.projected_through.is_none() {
+            return light;
+        }
+        let Some(grid) = source.area.as_ref().filter(|_| self.quality.area_lights()) else {
+            return self.walk_to_light(source, p, path, light, interiors);
+        };
+        let mut scratch = std::mem::take(&mut self.area_scratch);
+        let mut random = self.streams.lights;
+        let mean = area::average(source, grid, path.dir, &mut scratch, &mut random, |from| {
+            self.walk_to_light(source, p, &source.path_to(p, from), light, interiors)
+        });
+        self.area_scratch = scratch;
+        self.streams.lights = random;
+        mean
+    }
+
+    /// Follows one shadow ray from surface to surface.
+    fn walk_to_light(
+        &mut self,
+        source: &LightSource,
+        p: Vec3,
+        path: &Path,
+        mut light: Rgb,
+        interiors: &Interiors,
+    ) -> Rgb {
+        let world = self.world;
+        let mut ray = Ray::new(p, path.dir);
+        let mut left = path.distance;
+        if let Some(window) = &source.projected_through {
+            match window.closest(&ray, (0.0, left), RayClass::Any) {
+                None => return Rgb::ZERO,
+                Some(_) if source.shadowless => return light,
+                Some(hit) => left = hit.t,
+            }
+        }
+        let hazy = world.any_media && self.quality.volume();
+        let misty = source.media_attenuation && self.quality.volume();
+        let mut list: Option<Interiors> = None;
+        while left > 2.0 * SHADOW_TOLERANCE {
+            let range = (SHADOW_TOLERANCE, left - SHADOW_TOLERANCE);
+            let stops = |hit: &Hit| world.stops_light(hit);
+            let Some(hit) = world.geometry.blocker(&ray, range, RayClass::Shadow, stops) else { break };
+            if world.stops_light(&hit) {
+                return Rgb::ZERO;
+            }
+            let surface = world.geometry.interaction(&ray, &hit);
+            let inside = list.get_or_insert_with(|| interiors.clone());
+            light *= self.filter(&ray, hit.t, &surface, inside);
+            if light == Rgb::ZERO {
+                return light;
+            }
+            if hazy && !inside.is_empty() {
+                light *= self.media_filter(inside, &ray, hit.t);
+            }
+            if misty {
+                light *= self.air_filter(source, &ray, hit.t);
+            }
+            toggle(inside, world.material(&surface).interior);
+            ray.origin = surface.p;
+            left -= hit.t;
+        }
+        let open = || world.all_hollow(list.as_ref().unwrap_or(interiors));
+        if misty && left > SHADOW_TOLERANCE && open() {
+            light *= self.air_filter(source, &ray, left);
+        }
+        light
+    }
+
+    /// What a surface lets through of light (all layers of all its textures), with the fading of the way before it.
+    fn filter(&self, ray: &Ray, depth: f64, surface: &Interaction, list: &Interiors) -> Rgb {
+        let material = self.world.material(surface);
+        let n = if surface.from_inside { -surface.n } else { surface.n };
+        let context = Context { normal: Some(n), point: surface.p, ray_dir: ray.dir, uv: surface.uv };
+        let uv = material.uv_mapping.then_some(surface.uv);
+        let interior = &self.world.interior(material.interior).interior;
+        let caustics = f64::from(interior.caustics) * 45.0;
+        let mut sum = Rgb::ZERO;
+        for used in &surface.textures {
+            let texture = self.world.texture(used.texture);
+            let (path, p) = placed(texture, surface.p, uv);
+            for_each_plain(
+                &texture.texture,
+                p,
+                used.weight,
+                &path,
+                &context,
+                &mut |layers, p, share, path| {
+                    sum += layers_filter(layers, p, n, path, &context, caustics) * share;
+                },
+            );
+        }
+        if interior.fade_power > 0.0 && list.contains(&material.interior) && sum != Rgb::ZERO {
+            sum *= fade(interior, depth);
+        }
+        sum
+    }
+
+    /// What fog and the media of empty space leave of light.
+    fn air_filter(&mut self, source: &LightSource, ray: &Ray, depth: f64) -> Rgb {
+        let mut left = Rgb::ONE;
+        if source.media_interaction && !self.world.air.is_empty() {
+            left *= self.dimmed_by(&[&self.world.air], ray, depth);
+        }
+        left * self.world.sky.fog_filter(ray, depth)
+    }
+}
+
+fn layers_filter(
+    layers: &[Layer],
+    p: Vec3,
+    n: Vec3,
+    path: &NormalPath<'_>,
+    context: &Context,
+    caustics: f64,
+) -> Rgb {
+    let mut product = Rgb::ONE;
+    for layer in layers {
+        if let Some(color) = layer.pigment.eval(p, context) {
+            product *= color.transmission();
+            if product == Rgb::ZERO {
+                break;
+            }
+        }
+        if caustics != 0.0 {
+            let bent = match &layer.normal {
+                Some(normal) => path.leave(normal.perturb(path.enter(n), p, context)),
+                None => n,
+            };
+            product *= 1.0 + bent.dot(context.ray_dir).abs().powf(caustics) as f32;
+        }
+    }
+    product
+}

@@ -1,0 +1,233 @@
+//! Sampling along a ray: intervals, the three methods, the sum (media spec, sections 1.4 and 1.5).
+use raggio_image::Rgb;
+use raggio_math::Ray;
+use smallvec::SmallVec;
+
+use super::lit::{LitRanges, Range};
+use super::phase::phase;
+use super::{Joined, Medium, exp};
+use crate::integrator::{Interiors, Tracer};
+
+/// Everything that stays the same along a segment.
+pub(super) struct Along<'a> {
+    pub media: Joined<'a>,
+    pub leader: &'a Medium,
+    /// The smallest threshold of all media.
+    pub aa_threshold: f32,
+    pub ray: Ray,
+    pub lights: LitRanges,
+    pub interiors: &'a Interiors,
+    /// Only dimming counts.
+    pub shadow: bool,
+}
+
+/// Part of a segment with the sums of its samples.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Interval {
+    start: f64,
+    length: f64,
+    lit: bool,
+    glow: Rgb,
+    glow_squares: Rgb,
+    depth: Rgb,
+    samples: f32,
+}
+
+pub(super) type Intervals = SmallVec<[Interval; 8]>;
+
+/// What stuff does at a point: the light it sends, and how it dims.
+#[derive(Clone, Copy)]
+struct Sample {
+    glow: Rgb,
+    dim: Rgb,
+}
+
+/// Divides pieces into sampling intervals.
+pub(super) fn intervals(pieces: &[(Range, bool)], leader: &Medium) -> Intervals {
+    let wanted = (leader.sampling.intervals as usize).max(pieces.len());
+    let mut all = Intervals::new();
+    let mut add = |(start, end): Range, lit: bool, n: usize| {
+        let length = (end - start) / n as f64;
+        all.extend((0..n).map(|i| Interval {
+            start: start + length * i as f64,
+            length,
+            lit,
+            ..Interval::default()
+        }));
+    };
+    if let [(range, lit)] = *pieces {
+        let simple = !lit && leader.densities.is_empty();
+        add(range, lit, if simple { 1 } else { wanted });
+        return all;
+    }
+    let ratio = leader.sampling.ratio;
+    let weight = |lit: bool| if lit { ratio } else { 1.0 - ratio };
+    let sum: f64 = pieces.iter().map(|p| weight(p.1)).sum();
+    let mut remaining = wanted;
+    for (i, &(range, lit)) in pieces.iter().enumerate() {
+        let share = (weight(lit) / sum * wanted as f64) as usize + 1;
+        let n = share.min((remaining + i + 1).saturating_sub(pieces.len())).max(1);
+        remaining = remaining.saturating_sub(n);
+        add(range, lit, n);
+    }
+    all
+}
+
+impl Tracer<'_> {
+    /// Light from along the segment, and its optical depth.
+    pub(super) fn integrate(&mut self, along: &Along<'_>, mut intervals: Intervals) -> (Rgb, Rgb) {
+        match along.leader.sampling.method {
+            3 => intervals.iter_mut().for_each(|interval| self.adaptive(along, interval)),
+            _ => self.stochastic(along, &mut intervals),
+        }
+        let (mut glow, mut depth) = (Rgb::ZERO, Rgb::ZERO);
+        for interval in &intervals {
+            glow += interval.glow / interval.samples * exp(-depth);
+            depth += interval.depth / interval.samples;
+        }
+        (glow, depth)
+    }
+
+    /// Methods 1 and 2: samples at random or stratified, and more where they differ much.
+    fn stochastic(&mut self, along: &Along<'_>, intervals: &mut Intervals) {
+        let sampling = &along.leader.sampling;
+        for interval in intervals.iter_mut() {
+            for j in 0..sampling.min {
+                let u = self.streams.media.next();
+                let d = match sampling.method {
+                    2 => (f64::from(j) + 0.5 + u * sampling.jitter) / f64::from(sampling.min),
+                    _ => u,
+                };
+                self.add_sample(along, interval, d);
+            }
+        }
+        if along.shadow || sampling.max <= sampling.min {
+            return;
+        }
+        for interval in intervals.iter_mut() {
+            while interval.samples <= sampling.max as f32 && interval.uncertain(&sampling.thresholds) {
+                let d = self.streams.media.next();
+                self.add_sample(along, interval, d);
+            }
+        }
+    }
+
+    fn add_sample(&mut self, along: &Along<'_>, interval: &mut Interval, d: f64) {
+        let sample = self.medium_at(along, interval.start + d * interval.length, interval.lit);
+        let length = interval.length as f32;
+        let glow = sample.glow * length * exp(-sample.dim * (d as f32 * length));
+        interval.glow += glow;
+        interval.glow_squares += glow * glow;
+        interval.depth += sample.dim * length;
+        interval.samples += 1.0;
+    }
+
+    /// Method 3: evenly spaced samples, refined where neighbours differ.
+    fn adaptive(&mut self, along: &Along<'_>, interval: &mut Interval) {
+        let sampling = &along.leader.sampling;
+        let n = (sampling.min / 2 + 1).max(2);
+        let step = 1.0 / f64::from(n + 1);
+        let jittered = |tracer: &mut Self, d: f64, width: f64| {
+            let d = d + width * sampling.jitter * (tracer.streams.media.next() - 0.5);
+            let sample = tracer.medium_at(along, interval.start + d * interval.length, interval.lit);
+            let length = interval.length as f32;
+            Sample { glow: sample.glow * length, dim: sample.dim * length }
+        };
+        let mut before = jittered(self, 0.0, step);
+        let (mut glow, mut depth) = (Rgb::ZERO, Rgb::ZERO);
+        for j in 1..=n {
+            let here = jittered(self, f64::from(j) * step, step);
+            let ends = (f64::from(j - 1) * step, f64::from(j) * step);
+            let level = sampling.aa_level as i32 - 1;
+            let mut sample = |d, width| jittered(self, d, width);
+            let mean = refine(&mut sample, ends, before, here, level, along.aa_threshold);
+            glow += mean.glow * exp(-depth / n as f32);
+            depth += mean.dim;
+            before = here;
+        }
+        interval.glow = glow;
+        interval.depth = depth;
+        interval.samples = n as f32;
+    }
+
+    /// What all media together do at distance `t`.
+    fn medium_at(&mut self, along: &Along<'_>, t: f64, lit: bool) -> Sample {
+        let p = along.ray.at(t);
+        let (mut glow, mut dim, mut scattered) = (Rgb::ZERO, Rgb::ZERO, Rgb::ZERO);
+        for medium in &along.media {
+            let density = medium.density(p, along.ray.dir);
+            dim += density * medium.extinction;
+            if !along.shadow {
+                glow += density * medium.emission;
+                scattered += medium.scattering.map_or(Rgb::ZERO, |s| density * s.color);
+            }
+        }
+        if !lit || scattered == Rgb::ZERO {
+            return Sample { glow, dim };
+        }
+        for &(light, range) in &along.lights {
+            if t < range.0 || t > range.1 {
+                continue;
+            }
+            let source = &self.world.lights[light as usize];
+            let path = source.path(p);
+            let bare = source.arriving(p, &path, source.position);
+            let light = self.after_shadows(source, p, &path, bare, along.interiors);
+            if light != Rgb::ZERO {
+                glow += scattered * light * mean_phase(&along.media, path.dir.dot(along.ray.dir));
+            }
+        }
+        Sample { glow, dim }
+    }
+}
+
+impl Interval {
+    /// Do the samples so far differ too much?
+    fn uncertain(&self, thresholds: &[f64]) -> bool {
+        let n = self.samples;
+        let mean = self.glow / n;
+        let variance = (self.glow_squares / n - mean * mean) / n;
+        thresholds.get(n as usize).is_some_and(|&limit| f64::from(variance.max_element()) >= limit)
+    }
+}
+
+/// The mean phase function of all media, those without scattering counting as isotropic.
+fn mean_phase(media: &Joined<'_>, cosine: f64) -> f32 {
+    let sum: f64 = media.iter().map(|m| m.scattering.as_ref().map_or(1.0, |s| phase(s, cosine))).sum();
+    (sum / media.len() as f64) as f32
+}
+
+/// The mean between two samples, with more samples between them where their light differs.
+fn refine(
+    sample: &mut impl FnMut(f64, f64) -> Sample,
+    ends: Range,
+    a: Sample,
+    b: Sample,
+    level: i32,
+    threshold: f32,
+) -> Sample {
+    let d = (ends.0 + ends.1) / 2.0;
+    let m = sample(d, ends.1 - ends.0);
+    let mix = |a: &Sample, wa: f32, b: &Sample, wb: f32| Sample {
+        glow: a.glow * wa + b.glow * wb,
+        dim: a.dim * wa + b.dim * wb,
+    };
+    if level <= 0 {
+        return mix(&mix(&a, 1.0 / 3.0, &m, 1.0 / 3.0), 1.0, &b, 1.0 / 3.0);
+    }
+    let differs = |x: &Sample| (x.glow - m.glow).abs().element_sum() > threshold;
+    let mut half = |end: &Sample, left: bool| {
+        if !differs(end) {
+            return mix(end, 1.0 / 3.0, &m, 1.0 / 6.0);
+        }
+        let inner = if left {
+            refine(sample, (ends.0, d), a, m, level - 1, threshold)
+        } else {
+            refine(sample, (d, ends.1), m, b, level - 1, threshold)
+        };
+        mix(&inner, 0.5, &inner, 0.0)
+    };
+    let left = half(&a, true);
+    let right = half(&b, false);
+    mix(&left, 1.0, &right, 1.0)
+}

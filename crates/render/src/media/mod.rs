@@ -1,0 +1,214 @@
+//! Participating media: what the way through glowing, dimming and scattering stuff adds and takes (media spec,
+//! section 1).
+mod integrate;
+mod lit;
+mod phase;
+
+use raggio_image::{Rgb, grey};
+use raggio_math::{Affine, Ray, Vec3};
+use raggio_scene::{self as scene, PigmentKind, Placed, Scattering};
+use raggio_shading::{Context, Noise, Pigment};
+use smallvec::SmallVec;
+
+use crate::integrator::{Beam, Interiors, Seen, Tracer};
+use crate::sampling::chi_square_quantile;
+use integrate::{Along, intervals};
+use lit::{Range, pieces, ranges};
+
+/// The media of one interior or of empty space, compiled.
+#[derive(Default)]
+pub struct MediaList {
+    media: Vec<Medium>,
+}
+
+/// A compiled medium.
+pub struct Medium {
+    emission: Rgb,
+    /// What dims light: absorption and what is scattered away.
+    extinction: Rgb,
+    scattering: Option<Scattering>,
+    densities: Vec<(Pigment, Affine)>,
+    /// Is the density the same everywhere?
+    even: bool,
+    sampling: Sampling,
+}
+
+/// How a medium wants to be sampled.
+struct Sampling {
+    method: u8,
+    intervals: u32,
+    min: u32,
+    max: u32,
+    jitter: f64,
+    /// By number of samples taken: the variance under which to stop.
+    thresholds: Vec<f64>,
+    ratio: f64,
+    aa_level: u32,
+    aa_threshold: f32,
+}
+
+/// The media along a ray, those of all its interiors joined.
+type Joined<'a> = SmallVec<[&'a Medium; 4]>;
+
+impl MediaList {
+    /// Compiles media that were written in the coordinates given.
+    pub fn new(media: &[Placed<scene::Media>], world_from_parent: &Affine, noise: Noise) -> MediaList {
+        let compile = |m: &Placed<scene::Media>| {
+            Medium::new(&m.item, &(*world_from_parent * m.parent_from_item), noise)
+        };
+        MediaList { media: media.iter().map(compile).collect() }
+    }
+
+    /// Is there nothing?
+    pub fn is_empty(&self) -> bool {
+        self.media.is_empty()
+    }
+}
+
+impl Medium {
+    fn new(media: &scene::Media, world_from_media: &Affine, noise: Noise) -> Medium {
+        let densities: Vec<_> = media
+            .densities
+            .iter()
+            .map(|density| {
+                let world_from_density = *world_from_media * density.parent_from_item;
+                (Pigment::compile(&density.item.0, noise), world_from_density.inverse())
+            })
+            .collect();
+        let scattered = media.scattering.map_or(Rgb::ZERO, |s| s.color * s.extinction);
+        let plain = |d: &Placed<scene::Density>| matches!(d.item.0.kind, PigmentKind::Solid(_));
+        Medium {
+            emission: media.emission,
+            extinction: media.absorption + scattered,
+            scattering: media.scattering,
+            even: media.densities.iter().all(plain),
+            densities,
+            sampling: Sampling::new(media),
+        }
+    }
+
+    /// The density at a point of the world.
+    fn density(&self, p: Vec3, ray_dir: Vec3) -> Rgb {
+        let context = Context { ray_dir, ..Context::NONE };
+        let at = |(pigment, density_from_world): &(Pigment, Affine)| {
+            pigment.eval(density_from_world.transform_point3(p), &context).map_or(Rgb::ONE, |c| c.rgb)
+        };
+        self.densities.iter().map(at).product()
+    }
+}
+
+impl Sampling {
+    fn new(media: &scene::Media) -> Sampling {
+        let (min, max) = (media.samples.0.max(1), media.samples.1);
+        let quantile = |n: u32| chi_square_quantile(f64::from(media.confidence), f64::from(n));
+        let last = if max > 1 { quantile(max - 1) } else { 0.0 };
+        let scale = if last > 0.0 && last.is_finite() { 1.0 / last } else { 1e-10 };
+        let threshold = |n: u32| match quantile(n) {
+            q if q.is_finite() => f64::from(media.variance) * q * scale,
+            _ => 0.0,
+        };
+        let adaptive = media.method != 3 && max > min;
+        Sampling {
+            method: media.method,
+            intervals: media.intervals.max(1),
+            min,
+            max,
+            jitter: f64::from(media.jitter),
+            thresholds: if adaptive { (0..=max + 1).map(threshold).collect() } else { Vec::new() },
+            ratio: f64::from(media.ratio),
+            aa_level: media.aa_level,
+            aa_threshold: media.aa_threshold,
+        }
+    }
+}
+
+/// The medium that decides how to sample: the first with the most intervals.
+fn leader<'a>(media: &Joined<'a>) -> Option<&'a Medium> {
+    let most = media.iter().map(|m| m.sampling.intervals).max()?;
+    media.iter().find(|m| m.sampling.intervals == most).copied()
+}
+
+impl Tracer<'_> {
+    /// Lays the media of all interiors of a ray over what was seen at `depth`.
+    pub fn contained_media(&mut self, beam: &Beam, depth: f64, lights: &[u32], seen: &mut Seen) {
+        let world = self.world;
+        if !world.all_hollow(&beam.interiors) {
+            return;
+        }
+        let lists: SmallVec<[&MediaList; 8]> =
+            beam.interiors.iter().map(|&id| &world.interior(id).media).collect();
+        self.media_along(&lists, beam, depth, lights, seen);
+    }
+
+    /// Lays media over what was seen at `depth`. `lights` are those that shine on what ends the way.
+    pub fn media_along(
+        &mut self,
+        lists: &[&MediaList],
+        beam: &Beam,
+        depth: f64,
+        lights: &[u32],
+        seen: &mut Seen,
+    ) {
+        let media: Joined<'_> = lists.iter().flat_map(|list| &list.media).collect();
+        let Some(leader) = leader(&media) else { return };
+        let lights = ranges(self.world, &beam.ray, depth, lights);
+        let intervals = intervals(&pieces(&lights, depth), leader);
+        let along = Along {
+            aa_threshold: aa_threshold(&media),
+            media,
+            leader,
+            ray: beam.ray,
+            lights,
+            interiors: &beam.interiors,
+            shadow: false,
+        };
+        let (glow, depth) = self.integrate(&along, intervals);
+        let left = exp(-depth);
+        seen.rgb = seen.rgb * left + glow;
+        seen.transmit *= grey(left);
+    }
+
+    /// What the media of a shadow ray's interiors leave of light over a segment.
+    pub fn media_filter(&mut self, interiors: &Interiors, ray: &Ray, depth: f64) -> Rgb {
+        let world = self.world;
+        if !world.all_hollow(interiors) {
+            return Rgb::ONE;
+        }
+        let lists: SmallVec<[&MediaList; 8]> =
+            interiors.iter().map(|&id| &world.interior(id).media).collect();
+        self.dimmed_by(&lists, ray, depth)
+    }
+
+    /// What media leave of light over a segment.
+    pub fn dimmed_by(&mut self, lists: &[&MediaList], ray: &Ray, depth: f64) -> Rgb {
+        let media: Joined<'_> = lists.iter().flat_map(|list| &list.media).collect();
+        let Some(leader) = leader(&media) else { return Rgb::ONE };
+        if media.iter().all(|m| m.extinction == Rgb::ZERO) {
+            return Rgb::ONE;
+        }
+        if media.iter().all(|m| m.even) {
+            let sum: Rgb = media.iter().map(|m| m.extinction * m.density(ray.origin, ray.dir)).sum();
+            return exp(-sum * depth as f32);
+        }
+        let whole: Range = (0.0, depth);
+        let along = Along {
+            aa_threshold: aa_threshold(&media),
+            media,
+            leader,
+            ray: *ray,
+            lights: SmallVec::new(),
+            interiors: &Interiors::new(),
+            shadow: true,
+        };
+        let intervals = intervals(&[(whole, false)], leader);
+        exp(-self.integrate(&along, intervals).1)
+    }
+}
+
+fn aa_threshold(media: &Joined<'_>) -> f32 {
+    media.iter().map(|m| m.sampling.aa_threshold).fold(f32::INFINITY, f32::min)
+}
+
+fn exp(v: Rgb) -> Rgb {
+    Rgb::new(v.x.exp(), v.y.exp(), v.z.exp())
+}

@@ -1,0 +1,279 @@
+//! The cache of light samples: an octree for each depth, and how much a sample counts at a point.
+use raggio_image::Rgb;
+use raggio_math::Vec3;
+
+/// Diffuse light at a place.
+#[derive(Clone, Debug)]
+pub struct Sample {
+    /// Where.
+    pub p: Vec3,
+    /// The surface's normal.
+    pub n: Vec3,
+    /// The mean light from all around.
+    pub light: Rgb,
+    /// The harmonic mean of the distances to what is seen.
+    pub mean_distance: f64,
+    /// The least of them.
+    pub nearest: f64,
+    /// The direction of the least.
+    pub toward: Vec3,
+    /// How well the light is known.
+    pub quality: f32,
+}
+
+/// What is asked of the cache.
+pub struct Query {
+    /// Where.
+    pub p: Vec3,
+    /// The surface's normal.
+    pub n: Vec3,
+    /// The greatest error.
+    pub error: f64,
+    /// Weights fall off as in the final picture.
+    pub sharp: bool,
+}
+
+/// Weighted samples.
+#[derive(Default)]
+pub struct Found {
+    /// The weighted sum of light.
+    pub sum: Rgb,
+    /// The sum of weights.
+    pub weight: f32,
+}
+
+/// Samples of all depths.
+#[derive(Default)]
+pub struct Cache {
+    trees: Vec<Octree>,
+}
+
+impl Cache {
+    /// An empty cache for so many depths.
+    pub fn new(depths: u32) -> Cache {
+        Cache { trees: (0..depths).map(|_| Octree::default()).collect() }
+    }
+
+    /// Adds to `found` what counts at a point.
+    pub fn look_up(&self, depth: u32, query: &Query, found: &mut Found) {
+        let Some(tree) = self.trees.get(depth as usize) else { return };
+        tree.visit(query.p, &mut |sample| {
+            let weight = sample.weight(query);
+            if weight > 1e-3 {
+                let weight = weight as f32 * sample.quality;
+                found.sum += sample.light * weight;
+                found.weight += weight;
+            }
+        });
+    }
+
+    /// Keeps a sample that counts within `radius`.
+    pub fn insert(&mut self, depth: u32, sample: Sample, radius: f64) {
+        if let Some(tree) = self.trees.get_mut(depth as usize) {
+            tree.insert(sample, radius);
+        }
+    }
+
+    /// Takes over all samples of another cache.
+    pub fn absorb(&mut self, other: Cache) {
+        for (tree, other) in self.trees.iter_mut().zip(other.trees) {
+            for (sample, radius) in other.samples {
+                tree.insert(sample, radius);
+            }
+        }
+    }
+}
+
+impl Sample {
+    /// How much the sample counts; 0 where it does not fit.
+    fn weight(&self, query: &Query) -> f64 {
+        let offset = query.p - self.p;
+        let x = offset.length();
+        if x >= self.mean_distance * query.error {
+            return 0.0;
+        }
+        let away = if x > 1e-6 { offset / x } else { Vec3::ZERO };
+        let mut reach = self.mean_distance;
+        let closing = self.toward.dot(away);
+        if closing > 0.0 {
+            reach = closing * self.nearest + (1.0 - closing) * self.mean_distance;
+            if x >= reach * query.error {
+                return 0.0;
+            }
+        }
+        let turn = 2.0 * (1.0 - query.n.dot(self.n)).abs().sqrt();
+        let error = x / reach + turn;
+        if error >= query.error {
+            return 0.0;
+        }
+        // What lies before the sample's surface may see other things.
+        let front = (query.n + self.n).try_normalize().map_or(0.0, |m| away.dot(m));
+        if x > 1e-6 && front <= -0.05 {
+            return 0.0;
+        }
+        let y = error / query.error;
+        let weight = match (query.sharp, y < 0.5) {
+            (false, _) => 1.0 - y,
+            (true, true) => 1.0 - 2.0 * y * y,
+            (true, false) => 2.0 * (1.0 - y) * (1.0 - y),
+        };
+        if x > 1e-6 && front <= 0.0 { weight * (1.0 + front / 0.05) } else { weight }
+    }
+}
+
+/// A loose octree: a sample lies in the smallest cell that, doubled about its centre, holds the sample's sphere.
+#[derive(Default)]
+struct Octree {
+    samples: Vec<(Sample, f64)>,
+    nodes: Vec<Node>,
+    root: u32,
+}
+
+/// A cell of side `2^level` whose number along each axis is `index`.
+struct Node {
+    level: i32,
+    index: [i64; 3],
+    children: [u32; 8],
+    samples: Vec<u32>,
+}
+
+/// No child.
+const NONE: u32 = u32::MAX;
+/// Cells are no smaller and no larger than these powers of two.
+const LEVELS: std::ops::RangeInclusive<i32> = -40..=40;
+
+impl Node {
+    fn new(level: i32, index: [i64; 3]) -> Node {
+        Node { level, index, children: [NONE; 8], samples: Vec::new() }
+    }
+
+    /// Does the doubled cell hold the point?
+    fn covers(&self, p: Vec3) -> bool {
+        let side = 2f64.powi(self.level);
+        let within = |k: usize| (p[k] - (self.index[k] as f64 + 0.5) * side).abs() <= side;
+        within(0) && within(1) && within(2)
+    }
+}
+
+fn index_at(p: Vec3, level: i32) -> [i64; 3] {
+    let side = 2f64.powi(level);
+    [p.x, p.y, p.z].map(|v| (v / side).floor() as i64)
+}
+
+impl Octree {
+    fn insert(&mut self, sample: Sample, radius: f64) {
+        let level = ((2.0 * radius).max(1e-12).log2().ceil() as i32).clamp(*LEVELS.start(), *LEVELS.end());
+        let number = self.samples.len() as u32;
+        let mut node = self.grow_around(sample.p, level);
+        while self.nodes[node as usize].level > level {
+            node = self.child_at(node, sample.p);
+        }
+        self.nodes[node as usize].samples.push(number);
+        self.samples.push((sample, radius));
+    }
+
+    /// Makes the root hold the point's cell of that level.
+    fn grow_around(&mut self, p: Vec3, level: i32) -> u32 {
+        if self.nodes.is_empty() {
+            self.nodes.push(Node::new(level, index_at(p, level)));
+            return 0;
+        }
+        loop {
+            let root = &self.nodes[self.root as usize];
+            let holds = root.level >= level && index_at(p, root.level) == root.index;
+            if holds || root.level >= 2 * LEVELS.end() {
+                return self.root;
+            }
+            let mut parent = Node::new(root.level + 1, root.index.map(|i| i >> 1));
+            parent.children[octant(root.index)] = self.root;
+            self.root = self.nodes.len() as u32;
+            self.nodes.push(parent);
+        }
+    }
+
+    fn child_at(&mut self, node: u32, p: Vec3) -> u32 {
+        let level = self.nodes[node as usize].level - 1;
+        let index = index_at(p, level);
+        let slot = octant(index);
+        let child = self.nodes[node as usize].children[slot];
+        if child != NONE {
+            return child;
+        }
+        let new = self.nodes.len() as u32;
+        self.nodes.push(Node::new(level, index));
+        self.nodes[node as usize].children[slot] = new;
+        new
+    }
+
+    /// Visits every sample whose cell may reach the point.
+    fn visit(&self, p: Vec3, each: &mut impl FnMut(&Sample)) {
+        if self.nodes.is_empty() {
+            return;
+        }
+        let mut stack: smallvec::SmallVec<[u32; 64]> = smallvec::smallvec![self.root];
+        while let Some(top) = stack.pop() {
+            let node = &self.nodes[top as usize];
+            for &number in &node.samples {
+                each(&self.samples[number as usize].0);
+            }
+            let near = |&&child: &&u32| child != NONE && self.nodes[child as usize].covers(p);
+            stack.extend(node.children.iter().filter(near).copied());
+        }
+    }
+}
+
+fn octant(index: [i64; 3]) -> usize {
+    ((index[0] & 1) | ((index[1] & 1) << 1) | ((index[2] & 1) << 2)) as usize
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn sample(p: Vec3) -> Sample {
+        Sample {
+            p,
+            n: Vec3::Y,
+            light: Rgb::ONE,
+            mean_distance: 2.0,
+            nearest: 2.0,
+            toward: Vec3::Y,
+            quality: 1.0,
+        }
+    }
+
+    #[test]
+    fn every_sample_is_found_within_its_radius() {
+        let mut tree = Octree::default();
+        let mut state = 1u64;
+        let mut random = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            (state >> 33) as f64 / f64::from(1u32 << 31) - 0.5
+        };
+        for _ in 0..300 {
+            let p = Vec3::new(random(), random(), random()) * 100.0;
+            tree.insert(sample(p), 0.01 + random().abs() * 10.0);
+        }
+        for _ in 0..300 {
+            let p = Vec3::new(random(), random(), random()) * 100.0;
+            let mut found = Vec::new();
+            tree.visit(p, &mut |s| found.push(s.p));
+            for (s, radius) in &tree.samples {
+                assert!((s.p - p).length() > *radius || found.contains(&s.p));
+            }
+            assert!(found.len() < 300);
+        }
+    }
+
+    #[test]
+    fn weights_fall_from_one_to_nothing() {
+        let query = |x: f64, sharp| Query { p: Vec3::X * x, n: Vec3::Y, error: 1.0, sharp };
+        let s = sample(Vec3::ZERO);
+        assert_eq!(s.weight(&query(0.0, false)), 1.0);
+        assert!((s.weight(&query(1.0, false)) - 0.5).abs() < 1e-12);
+        assert!((s.weight(&query(0.5, true)) - 0.875).abs() < 1e-12);
+        assert_eq!(s.weight(&query(2.0, true)), 0.0);
+        let behind = Query { p: Vec3::new(0.5, -0.5, 0.0), n: Vec3::Y, error: 1.0, sharp: false };
+        assert_eq!(s.weight(&behind), 0.0);
+    }
+}

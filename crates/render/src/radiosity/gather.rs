@@ -1,0 +1,198 @@
+//! A gather: rays in all directions over a surface point.
+use std::f64::consts::TAU;
+
+use raggio_geometry::RayClass;
+use raggio_image::Rgb;
+use raggio_math::{MIN_HIT, Ray, Vec3};
+
+use super::cache::Sample;
+use super::{Rules, State};
+use crate::integrator::surface::SurfacePoint;
+use crate::integrator::{Beam, Interiors, Tracer};
+use crate::sampling::halton;
+
+/// Sums over the rays of a gather.
+struct Sums {
+    light: Rgb,
+    quality: f32,
+    rays: u32,
+    inverse_distances: f64,
+    nearest: f64,
+    toward: Vec3,
+}
+
+impl Tracer<'_> {
+    /// Samples the light from all around and keeps the result; gives light and quality.
+    pub(super) fn gather(&mut self, point: &SurfacePoint<'_>, n: Vec3, raw: Vec3) -> (Rgb, f32) {
+        let Some(state) = self.radiosity.as_mut() else { return (Rgb::ZERO, 0.0) };
+        let (rules, depth) = (state.rules, state.depth);
+        let ray_quality = state.ray_quality;
+        state.depth += 1;
+        let before = (self.level, self.max_level, self.bailout, self.quality);
+        let settings = &rules.settings;
+        self.level = (1.5 * f64::from(depth + 1)) as u16;
+        self.max_level = self.max_level.max(self.level + 1);
+        self.bailout = settings.adc_bailout;
+        self.quality = self.quality.for_gather(settings.media);
+        let weight = (settings.brightness / 2.0).powi(depth as i32 + 1).max(settings.adc_bailout);
+        let sums = self.shoot_around(point, n, raw, depth, weight);
+        (self.level, self.max_level, self.bailout, self.quality) = before;
+        let Some(state) = self.radiosity.as_mut() else { return (Rgb::ZERO, 0.0) };
+        state.depth = depth;
+        let light = if sums.quality > 0.0 { sums.light / sums.quality } else { Rgb::ZERO };
+        let quality = sums.quality / sums.rays.max(1) as f32;
+        state.keep(point.surface.p, n, light, quality, &sums);
+        state.ray_quality = ray_quality.max(quality);
+        (light, quality)
+    }
+
+    fn shoot_around(
+        &mut self,
+        point: &SurfacePoint<'_>,
+        n: Vec3,
+        raw: Vec3,
+        depth: u32,
+        weight: f32,
+    ) -> Sums {
+        let mut sums = Sums {
+            light: Rgb::ZERO,
+            quality: 0.0,
+            rays: 0,
+            inverse_distances: 0.0,
+            nearest: f64::INFINITY,
+            toward: n,
+        };
+        let Some(rules) = self.radiosity.as_ref().map(|s| s.rules) else { return sums };
+        let count = rules.rays(depth);
+        let mut draws = 0;
+        while sums.rays < count {
+            let around = if draws < 5 * count { n } else { raw };
+            draws += 1;
+            let dir = turned(self.next_direction(depth), around);
+            if n != raw && around == n && dir.dot(raw) <= 0.0 {
+                continue;
+            }
+            let beam = Beam {
+                ray: Ray::new(point.surface.p, dir),
+                interiors: Interiors::new(),
+                weight,
+                class: RayClass::Radiosity,
+                alpha: false,
+                wavelength: None,
+                reach: f64::INFINITY,
+            };
+            self.gather_ray(&beam, rules, count, &mut sums);
+        }
+        sums
+    }
+
+    /// Shoots one ray and adds what it brings. Rays to objects of little importance only bring their distance.
+    fn gather_ray(&mut self, beam: &Beam, rules: &Rules, count: u32, sums: &mut Sums) {
+        let hit = self.world.geometry.closest(&beam.ray, (MIN_HIT, beam.reach), beam.class);
+        let i = sums.rays;
+        sums.rays += 1;
+        if let Some(hit) = &hit {
+            sums.inverse_distances += 1.0 / hit.t;
+            if hit.t < sums.nearest {
+                (sums.nearest, sums.toward) = (hit.t, beam.ray.dir);
+            }
+        }
+        let mut quality = 1.0;
+        if rules.uneven {
+            let importance = match &hit {
+                Some(hit) => {
+                    let surface = self.world.geometry.interaction(&beam.ray, hit);
+                    self.world.material(&surface).radiosity_importance
+                }
+                None => None,
+            };
+            let importance = importance.unwrap_or(rules.default_importance);
+            let last = count.max(2) - 1;
+            if importance < i as f32 / last as f32 {
+                return;
+            }
+            if importance < 1.0 {
+                quality = count as f32 / ((importance * last as f32).floor() + 1.0);
+            }
+        }
+        self.set_ray_quality(1.0);
+        let mut light = self.follow(beam, hit.as_ref(), false).rgb;
+        quality *= self.radiosity.as_ref().map_or(1.0, |s| s.ray_quality);
+        let brightest = light.max_element();
+        if rules.settings.max_sample > 0.0 && brightest > rules.settings.max_sample {
+            light *= rules.settings.max_sample / brightest;
+        }
+        sums.light += light * quality;
+        sums.quality += quality;
+    }
+
+    fn set_ray_quality(&mut self, quality: f32) {
+        if let Some(state) = &mut self.radiosity {
+            state.ray_quality = quality;
+        }
+    }
+
+    /// The next direction about the y axis, more often near it (by cosine).
+    fn next_direction(&mut self, depth: u32) -> Vec3 {
+        let Some(state) = self.radiosity.as_mut() else { return Vec3::Y };
+        let cursor = &mut state.cursors[depth as usize];
+        let k = *cursor;
+        *cursor = (k + 1) % state.rules.settings.count_pool.max(1);
+        let (radius, angle) = (halton(2, k + 1), TAU * halton(3, k + 1));
+        let flat = radius.sqrt();
+        Vec3::new(flat * angle.cos(), (1.0 - radius).sqrt(), flat * angle.sin())
+    }
+}
+
+impl State<'_> {
+    /// Keeps a gather's result for other points.
+    fn keep(&mut self, p: Vec3, n: Vec3, light: Rgb, quality: f32, sums: &Sums) {
+        let settings = &self.rules.settings;
+        let scale = f64::from(1u32 << self.depth.min(20));
+        let from_eye = (self.rules.eye - p).length() * scale;
+        let (low, high) =
+            (from_eye * f64::from(settings.minimum_reuse), from_eye * f64::from(settings.maximum_reuse));
+        if sums.nearest <= 1e-4 * high {
+            return;
+        }
+        let mean =
+            if sums.inverse_distances > 0.0 { f64::from(sums.rays) / sums.inverse_distances } else { high };
+        let sample = Sample {
+            p,
+            n,
+            light,
+            mean_distance: mean.max(low).min(high),
+            nearest: sums.nearest.min(high),
+            toward: sums.toward,
+            quality,
+        };
+        // The error may be raised by a quarter for surfaces that count little.
+        let reach = sample.mean_distance * (f64::from(settings.error_bound) + 0.25) * scale;
+        let shrink = if self.depth == 0 { 1.0 } else { 8.0 };
+        self.own.insert(self.depth, sample, reach / shrink);
+    }
+}
+
+/// Turns a direction about the y axis to one about `n`.
+fn turned(v: Vec3, n: Vec3) -> Vec3 {
+    if n.y.abs() > 0.999 {
+        return if n.y > 0.0 { v } else { -v };
+    }
+    let helper = if n.z.abs() > 0.9 { Vec3::Y } else { Vec3::Z };
+    let x = n.cross(helper).try_normalize().unwrap_or(Vec3::X);
+    let z = x.cross(n).try_normalize().unwrap_or(Vec3::Z);
+    x * v.x + n * v.y + z * v.z
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn directions_are_unit_vectors_over_the_surface() {
+        for n in [Vec3::Y, -Vec3::Y, Vec3::new(0.1, 0.2, -0.97).normalize(), Vec3::X] {
+            let v = turned(Vec3::new(0.6, 0.8, 0.0), n);
+            assert!((v.length() - 1.0).abs() < 1e-12 && v.dot(n) > 0.79, "{n}");
+        }
+    }
+}

@@ -1,0 +1,140 @@
+//! One sample of the picture: camera rays and what they see.
+use raggio_geometry::RayClass;
+use raggio_math::Ray;
+
+use crate::antialias::{Difference, NonRecursive, Recursive};
+use crate::api::{AntialiasMethod, Options};
+use crate::camera::{Frame, Lens};
+use crate::film::{Pixel, Tile};
+use crate::integrator::{Beam, Quality, Tracer};
+use crate::radiosity;
+use crate::sampling::Streams;
+use crate::world::World;
+
+/// What is where no ray leaves the camera.
+const NOTHING: Pixel = [0.0, 0.0, 0.0, 1.0];
+
+/// Takes samples for one tile.
+pub struct Sampler<'w> {
+    tracer: Tracer<'w>,
+    options: &'w Options,
+    frame: Frame,
+}
+
+impl<'w> Sampler<'w> {
+    /// A sampler for the thread that calls, which may use `stack` bytes of its stack for rays.
+    pub fn new(
+        world: &'w World,
+        options: &'w Options,
+        stack: usize,
+        radiosity: Option<radiosity::State<'w>>,
+    ) -> Self {
+        let max_level = options.max_trace_level.unwrap_or(world.rules.max_trace_level).clamp(1, 256);
+        let mut tracer = Tracer::new(world, Quality::new(options.quality), max_level, stack);
+        tracer.radiosity = radiosity.filter(|_| tracer.quality.radiosity());
+        let frame = Frame { width: options.width as f64, height: options.height as f64 };
+        Sampler { tracer, options, frame }
+    }
+
+    /// What the sampler has learnt for radiosity.
+    pub fn into_radiosity(self) -> Option<radiosity::State<'w>> {
+        self.tracer.radiosity
+    }
+
+    /// Follows the ray through a place for the sake of the radiosity cache alone.
+    pub fn look(&mut self, x: f64, y: f64) {
+        if let Some(ray) = self.tracer.world.camera.ray(x, y, self.frame, None) {
+            self.shoot(ray, f64::INFINITY, (x, y, 0));
+        }
+    }
+
+    /// All pixels of a tile, row by row.
+    pub fn tile(&mut self, tile: &Tile) -> Vec<Pixel> {
+        let Some(antialias) = self.options.antialias else {
+            let places = tile.y.clone().flat_map(|y| tile.x.clone().map(move |x| (x as f64, y as f64)));
+            return places.map(|(x, y)| self.sample(x, y)).collect();
+        };
+        let differs = Difference::new(self.tracer.world.rules.gamma, antialias.gamma, antialias.threshold);
+        let mut shoot = |x: f64, y: f64| self.sample(x, y);
+        match antialias.method {
+            AntialiasMethod::NonRecursive => {
+                NonRecursive { differs, depth: antialias.depth, jitter: antialias.jitter }
+                    .tile(tile, &mut shoot)
+            }
+            AntialiasMethod::Recursive => {
+                Recursive::new(differs, antialias.depth, antialias.jitter).tile(tile, &mut shoot)
+            }
+        }
+    }
+
+    /// The picture at a place in pixel coordinates, where a pixel's centre is an integer.
+    pub fn sample(&mut self, x: f64, y: f64) -> Pixel {
+        let camera = &self.tracer.world.camera;
+        if camera.mesh.is_some() {
+            return self.mesh_sample(x, y);
+        }
+        if let Some(lens) = &camera.lens {
+            return self.blurred(x, y, lens);
+        }
+        match camera.ray(x, y, self.frame, None) {
+            Some(ray) => self.shoot(ray, f64::INFINITY, (x, y, 0)),
+            None => NOTHING,
+        }
+    }
+
+    /// What a camera ray sees. `key` names the sample for its random numbers.
+    fn shoot(&mut self, ray: Ray, reach: f64, key: (f64, f64, u64)) -> Pixel {
+        let world = self.tracer.world;
+        self.tracer.streams =
+            Streams::new(self.options.seed, key.0.to_bits() as i64, key.1.to_bits() as i64, key.2);
+        let beam = Beam {
+            ray,
+            interiors: world.camera.interiors(&ray, &world.geometry),
+            weight: 1.0,
+            class: RayClass::Camera,
+            alpha: self.options.alpha,
+            wavelength: None,
+            reach,
+        };
+        let seen = self.tracer.trace(&beam, false);
+        let clean = |v: f32| if v.is_nan() { 0.0 } else { v };
+        [clean(seen.rgb.x), clean(seen.rgb.y), clean(seen.rgb.z), clean(seen.transmit)]
+    }
+
+    /// Depth of field: samples over the lens until they agree.
+    fn blurred(&mut self, x: f64, y: f64, lens: &Lens) -> Pixel {
+        let (mut sum, mut squares, mut done) = ([0.0; 4], [0.0; 4], 0);
+        loop {
+            for _ in 0..lens.group(done) {
+                let sample = lens.sample(x, y, done);
+                let camera = &self.tracer.world.camera;
+                let pixel = match camera.ray(sample.x, sample.y, self.frame, Some(&sample)) {
+                    Some(ray) => self.shoot(ray, f64::INFINITY, (x, y, done as u64)),
+                    None => NOTHING,
+                };
+                for ((sum, square), value) in sum.iter_mut().zip(&mut squares).zip(pixel) {
+                    *sum += f64::from(value);
+                    *square += f64::from(value) * f64::from(value);
+                }
+                done += 1;
+            }
+            if lens.enough(done, &sum, &squares) {
+                return sum.map(|v| (v / done as f64) as f32);
+            }
+        }
+    }
+
+    /// A mesh camera's pixel: the mean of its rays.
+    fn mesh_sample(&mut self, x: f64, y: f64) -> Pixel {
+        let Some(mesh) = &self.tracer.world.camera.mesh else { return NOTHING };
+        let (mut sum, mut count) = ([0.0; 4], 0.0);
+        for k in 0..mesh.rays_per_pixel() {
+            if let Some(ray) = mesh.ray(x, y, k, self.frame) {
+                let pixel = self.shoot(ray, mesh.max_distance, (x, y, u64::from(k)));
+                sum.iter_mut().zip(pixel).for_each(|(sum, value)| *sum += value);
+                count += 1.0;
+            }
+        }
+        if count == 0.0 { NOTHING } else { sum.map(|v| v / count) }
+    }
+}

@@ -1,0 +1,227 @@
+//! The frozen world: a scene compiled for rays, shared by all threads.
+use std::sync::Arc;
+
+use raggio_geometry::{BuildError, Geometry, Hit, Interaction, InteriorId, Material, TextureId};
+use raggio_image::Rgb;
+use raggio_math::{Affine, Vec3};
+use raggio_scene::{GammaMode, Interior, Object, ObjectKind, Scene};
+use raggio_shading::{Noise, Texture};
+use rustc_hash::FxHashMap;
+
+use crate::atmosphere::Sky;
+use crate::camera::Camera;
+use crate::lights::{LightSets, LightSource};
+use crate::media::MediaList;
+use crate::radiosity;
+
+/// A scene made ready for rays.
+pub struct World {
+    pub(crate) geometry: Geometry,
+    /// By `TextureId`.
+    textures: Vec<WorldTexture>,
+    /// By `InteriorId`.
+    interiors: Vec<WorldInterior>,
+    /// By `MaterialId`: does nothing shine through?
+    opaque: Vec<bool>,
+    pub(crate) lights: Vec<LightSource>,
+    pub(crate) light_sets: LightSets,
+    pub(crate) camera: Camera,
+    pub(crate) sky: Sky,
+    /// Media of empty space.
+    pub(crate) air: MediaList,
+    pub(crate) rules: Rules,
+    /// Diffuse light between surfaces.
+    pub(crate) radiosity: Option<radiosity::Rules>,
+    /// Does any interior or empty space have media?
+    pub(crate) any_media: bool,
+}
+
+/// A compiled texture at its place.
+pub(crate) struct WorldTexture {
+    pub texture: Arc<Texture>,
+    /// From the world to the texture and back; `None` is the identity.
+    pub frame: Option<Frame>,
+}
+
+/// A transform with its inverse.
+pub(crate) struct Frame {
+    pub texture_from_world: Affine,
+    pub world_from_texture: Affine,
+}
+
+/// An interior with what rays ask of it worked out.
+pub(crate) struct WorldInterior {
+    pub interior: Arc<Interior>,
+    pub hollow: bool,
+    /// Refractive index, the atmosphere's where none was given.
+    pub ior: f64,
+    pub dispersion: f64,
+    pub media: MediaList,
+}
+
+/// The global settings that shading asks for.
+pub(crate) struct Rules {
+    pub bailout: f32,
+    pub max_trace_level: u16,
+    pub ambient_light: Rgb,
+    /// Wavelengths for `irid`.
+    pub wavelengths: Rgb,
+    /// Does the scene follow the rules of 3.7?
+    pub modern: bool,
+    pub gamma: GammaMode,
+    pub noise: Noise,
+    /// Refractive index and dispersion of empty space.
+    pub air_ior: f64,
+    pub air_dispersion: f64,
+}
+
+impl World {
+    /// Makes a scene ready.
+    ///
+    /// # Errors
+    /// If the scene holds a shape, camera or light that cannot be built. Effects that [`World::unsupported`] names
+    /// are left out without an error.
+    pub fn build(scene: &Scene) -> Result<World, BuildError> {
+        let rules = Rules::new(scene);
+        let geometry = Geometry::build(scene)?;
+        let textures = compile_textures(&geometry, rules.noise);
+        let interiors = compile_interiors(&geometry, &rules);
+        let lights = geometry
+            .lights
+            .iter()
+            .map(|placed| LightSource::build(&placed.light))
+            .collect::<Result<Vec<_>, _>>()?;
+        let air = MediaList::new(&scene.atmosphere.media, &Affine::IDENTITY, rules.noise);
+        let any_media = !air.is_empty() || interiors.iter().any(|i| !i.media.is_empty());
+        Ok(World {
+            light_sets: LightSets::new(&geometry),
+            radiosity: radiosity_rules(scene, &geometry),
+            camera: Camera::build(&scene.camera, rules.noise, &geometry)?,
+            sky: Sky::new(scene, rules.noise),
+            opaque: opaque_materials(&geometry, &textures),
+            geometry,
+            textures,
+            interiors,
+            lights,
+            air,
+            rules,
+            any_media,
+        })
+    }
+
+    /// The effects of a scene that are not built yet and would be left out of its picture.
+    pub fn unsupported(scene: &Scene) -> Vec<&'static str> {
+        let mut missing = Vec::new();
+        if scene.settings.photons.as_ref().is_some_and(|p| p.gather_max > 0)
+            && scene.objects.iter().any(|o| any_object(o, &|o| o.photons.target.is_some()))
+        {
+            missing.push("photons");
+        }
+        if scene.settings.subsurface.is_some() {
+            missing.push("subsurface light");
+        }
+        missing
+    }
+
+    pub(crate) fn texture(&self, id: TextureId) -> &WorldTexture {
+        &self.textures[id.0 as usize]
+    }
+
+    pub(crate) fn interior(&self, id: InteriorId) -> &WorldInterior {
+        &self.interiors[id.0 as usize]
+    }
+
+    pub(crate) fn material(&self, hit: &Interaction) -> &Material {
+        &self.geometry.materials[hit.material.0 as usize]
+    }
+
+    /// Does the surface at a hit stop all light?
+    pub(crate) fn stops_light(&self, hit: &Hit) -> bool {
+        self.geometry.plain_material(hit.leaf).is_some_and(|material| self.opaque[material.0 as usize])
+    }
+
+    /// Do all these interiors let fog and media show?
+    pub(crate) fn all_hollow(&self, list: &[InteriorId]) -> bool {
+        list.iter().all(|&id| self.interior(id).hollow)
+    }
+}
+
+impl WorldTexture {
+    /// A point of the world in the texture's own coordinates.
+    pub fn point(&self, p: Vec3) -> Vec3 {
+        self.frame.as_ref().map_or(p, |f| f.texture_from_world.transform_point3(p))
+    }
+}
+
+impl Rules {
+    fn new(scene: &Scene) -> Rules {
+        let settings = &scene.settings;
+        Rules {
+            bailout: settings.adc_bailout,
+            max_trace_level: settings.max_trace_level.clamp(1, 256),
+            ambient_light: settings.ambient_light,
+            wavelengths: settings.irid_wavelength,
+            modern: settings.version.effective >= 370,
+            gamma: settings.gamma,
+            noise: Noise { generator: settings.noise_generator, waves: settings.number_of_waves },
+            air_ior: f64::from(scene.atmosphere.ior),
+            air_dispersion: f64::from(scene.atmosphere.dispersion),
+        }
+    }
+}
+
+/// Each texture once, however often it is placed.
+fn compile_textures(geometry: &Geometry, noise: Noise) -> Vec<WorldTexture> {
+    let mut done = FxHashMap::default();
+    let compile = |placed: &raggio_geometry::PlacedTexture| {
+        let texture = done
+            .entry(Arc::as_ptr(&placed.texture))
+            .or_insert_with(|| Arc::new(Texture::compile(&placed.texture, noise)));
+        let frame = placed
+            .texture_from_world
+            .map(|t| Frame { texture_from_world: t, world_from_texture: t.inverse() });
+        WorldTexture { texture: texture.clone(), frame }
+    };
+    geometry.textures.iter().map(compile).collect()
+}
+
+fn opaque_materials(geometry: &Geometry, textures: &[WorldTexture]) -> Vec<bool> {
+    let opaque = |id: TextureId| textures[id.0 as usize].texture.is_opaque();
+    let all = |m: &Material| m.texture.is_some_and(opaque) && m.interior_texture.is_none_or(opaque);
+    geometry.materials.iter().map(all).collect()
+}
+
+fn compile_interiors(geometry: &Geometry, rules: &Rules) -> Vec<WorldInterior> {
+    let compile = |info: &raggio_geometry::InteriorInfo| {
+        let interior = info.interior.clone();
+        WorldInterior {
+            hollow: info.hollow,
+            ior: if interior.ior == 0.0 { rules.air_ior } else { f64::from(interior.ior) },
+            dispersion: f64::from(interior.dispersion),
+            media: MediaList::new(&interior.media, &info.world_from_interior, rules.noise),
+            interior,
+        }
+    };
+    geometry.interiors.iter().map(compile).collect()
+}
+
+fn radiosity_rules(scene: &Scene, geometry: &Geometry) -> Option<radiosity::Rules> {
+    let default = scene.settings.default_radiosity_importance;
+    let uneven = default < 1.0
+        || geometry
+            .materials
+            .iter()
+            .any(|m| m.radiosity_importance.is_some_and(|importance| importance < 1.0));
+    let settings = scene.settings.radiosity.as_ref()?;
+    Some(radiosity::Rules::new(settings, scene.camera.location, default, uneven))
+}
+
+fn any_object(object: &Object, test: &impl Fn(&Object) -> bool) -> bool {
+    test(object)
+        || match &object.kind {
+            ObjectKind::Csg { children, .. } | ObjectKind::LightGroup { children, .. } => {
+                children.iter().any(|child| any_object(child, test))
+            }
+            ObjectKind::Shape(_) | ObjectKind::Light(_) => false,
+        }
+}

@@ -1,0 +1,97 @@
+//! Radiosity: closed furnaces, and a picture recorded from POV-Ray 3.7 (radiosity spec, appendix).
+mod stage;
+
+use std::sync::Arc;
+
+use raggio_scene::*;
+use stage::*;
+
+fn settings() -> RadiositySettings {
+    RadiositySettings {
+        adc_bailout: 0.01,
+        always_sample: false,
+        brightness: 1.0,
+        count: 50,
+        count_pool: 1600,
+        error_bound: 1.8,
+        gray_threshold: 0.0,
+        low_error_factor: 0.5,
+        max_sample: -1.0,
+        maximum_reuse: 0.2,
+        minimum_reuse: 0.015,
+        media: false,
+        nearest_count: 5,
+        nearest_count_adaptive: 0,
+        normal: false,
+        pretrace_start: 0.08,
+        pretrace_end: 0.04,
+        recursion_limit: 1,
+        subsurface: false,
+    }
+}
+
+fn matt(diffuse: f32) -> Finish {
+    Finish { diffuse, diffuse_raw: diffuse, ..glowing(0.0) }
+}
+
+fn down() -> Camera {
+    let mut camera = view(CameraKind::Orthographic, v(0.0, 10.0, 0.0), 16.0, 16.0);
+    camera.direction = v(0.0, -1.0, 0.0);
+    camera.up = v(0.0, 0.0, 16.0);
+    camera
+}
+
+/// A floor under a sky that goes from black at the horizon to orange at the zenith.
+fn open_floor() -> Scene {
+    let floor = texture(rgbft([0.9, 0.8, 0.7, 0.0, 0.0]), matt(0.8));
+    let mut scene = scene(down(), vec![plane(v(0.0, 1.0, 0.0), 0.0, floor)]);
+    let gradient = Pattern {
+        kind: PatternKind::Gradient(v(0.0, 1.0, 0.0)),
+        warps: Vec::new(),
+        wave: Wave::Ramp,
+        frequency: 1.0,
+        phase: 0.0,
+        noise_generator: 0,
+    };
+    let map = Arc::new(vec![(0.0, Color::BLACK), (1.0, rgbft([1.0, 0.5, 0.25, 0.0, 0.0]))]);
+    let pigment =
+        Pigment { kind: PigmentKind::ColorMap { pattern: Arc::new(gradient), map }, quick_color: None };
+    scene.atmosphere.sky_sphere =
+        Some(SkySphere { pigments: vec![Placed::new(Arc::new(pigment))], emission: Rgb::ONE });
+    scene.settings.radiosity = Some(settings());
+    scene
+}
+
+#[test]
+fn an_open_floor_under_a_sky() {
+    let film = render(&open_floor(), &options(40, 40));
+    // Which samples there are depends on the order of tiles, so that single pixels differ a little.
+    expect(&film, 5, 5, [0.48128, 0.48128 * 4.0 / 9.0, 0.48128 * 7.0 / 36.0], 0.01);
+    expect(&film, 34, 27, [0.47955, 0.47955 * 4.0 / 9.0, 0.47955 * 7.0 / 36.0], 0.01);
+    // The mean of y over the hemisphere by cosine is 2/3.
+    let mean = film.pixels.iter().map(|p| p[0]).sum::<f32>() / 1600.0;
+    assert!((mean - 0.9 * 0.8 * 2.0 / 3.0).abs() < 0.01, "{mean}");
+}
+
+#[test]
+fn a_furnace_settles_at_its_known_light() {
+    // Inside a sphere that shines with e and reflects r the light is e (1 + r + r^2 + ...), cut off at the limit.
+    let (e, r, depth) = (0.2, 0.5, 3u32);
+    let finish = Finish { emission: Rgb::splat(e), ..matt(r) };
+    let wall = sphere(v(0.0, 0.0, 0.0), 10.0, texture(Color::WHITE, finish));
+    let mut scene = scene(view(CameraKind::Perspective, v(1.0, 2.0, 3.0), 1.0, 1.0), vec![wall]);
+    scene.settings.radiosity = Some(RadiositySettings { recursion_limit: depth, ..settings() });
+    scene.settings.max_trace_level = 20;
+    let film = render(&scene, &options(8, 8));
+    let expected = e * (0..=depth as i32).map(|k| r.powi(k)).sum::<f32>();
+    for y in 0..8 {
+        expect(&film, 4, y, [expected; 3], 2e-4);
+    }
+}
+
+#[test]
+fn the_picture_does_not_depend_on_threads() {
+    let with = |threads| render(&open_floor(), &raggio_render::Options { threads, ..options(70, 40) });
+    let one = with(1);
+    assert!(one.pixels == with(2).pixels && one.pixels == with(7).pixels);
+}

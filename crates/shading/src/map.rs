@@ -1,0 +1,125 @@
+//! Maps: what a pattern's value looks up (textures spec, section 9.1).
+
+/// Entries by position.
+#[derive(Debug)]
+pub(crate) struct Map<T> {
+    positions: Box<[f32]>,
+    items: Box<[T]>,
+    /// Do positions never fall? The language neither sorts nor checks them.
+    sorted: bool,
+}
+
+/// Maps shorter than this are walked, longer ones halved.
+const WALK: usize = 12;
+
+/// What lies at a value.
+#[derive(Debug, PartialEq)]
+pub(crate) enum Blend<'a, T> {
+    /// One entry alone; `None` in an empty map.
+    One(Option<&'a T>),
+    /// Between two entries, at this fraction of the way.
+    Two(&'a T, &'a T, f64),
+}
+
+impl<T> Map<T> {
+    pub fn new(entries: impl IntoIterator<Item = (f32, T)>) -> Self {
+        let (positions, items): (Vec<f32>, Vec<T>) = entries.into_iter().unzip();
+        let sorted = positions.is_sorted();
+        Map { positions: positions.into(), items: items.into(), sorted }
+    }
+
+    /// The entry at a value, or the two around it.
+    #[inline]
+    pub fn at(&self, value: f64) -> Blend<'_, T> {
+        match self.positions.last() {
+            Some(&last) if value < f64::from(last) => {}
+            _ => return Blend::One(self.items.last()),
+        }
+        let above = self.first_not_below(value);
+        let Some(previous) = above.checked_sub(1) else { return Blend::One(self.items.first()) };
+        let (low, high) = (f64::from(self.positions[previous]), f64::from(self.positions[above]));
+        if value == high {
+            return Blend::One(self.items.get(above));
+        }
+        Blend::Two(&self.items[previous], &self.items[above], (value - low) / (high - low))
+    }
+
+    /// The index of the first entry whose position is at least `value`; there is one.
+    fn first_not_below(&self, value: f64) -> usize {
+        let below = |&position: &f32| value > f64::from(position);
+        if self.sorted && self.positions.len() > WALK {
+            self.positions.partition_point(below)
+        } else {
+            self.positions.iter().take_while(|p| below(p)).count()
+        }
+    }
+
+    /// All entries, with what an average takes for their weights.
+    pub fn weighted(&self) -> impl Iterator<Item = (f32, &T)> {
+        self.positions.iter().copied().zip(&self.items)
+    }
+
+    /// The sum of those weights; 1 in place of 0, which would divide.
+    pub fn total_weight(&self) -> f64 {
+        let total: f64 = self.positions.iter().map(|&w| f64::from(w)).sum();
+        if total == 0.0 { 1.0 } else { total }
+    }
+
+    pub fn items(&self) -> impl Iterator<Item = &T> {
+        self.items.iter()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn map(positions: &[f32]) -> Map<usize> {
+        Map::new(positions.iter().copied().zip(0..))
+    }
+
+    #[test]
+    fn values_outside_take_the_nearest_end() {
+        let m = map(&[0.25, 0.5]);
+        assert_eq!(m.at(0.1), Blend::One(Some(&0)));
+        assert_eq!(m.at(0.5), Blend::One(Some(&1)));
+        assert_eq!(m.at(7.0), Blend::One(Some(&1)));
+        assert_eq!(m.at(f64::NAN), Blend::One(Some(&1)));
+    }
+
+    #[test]
+    fn between_two_entries_both_count() {
+        assert_eq!(map(&[0.0, 0.5, 1.0]).at(0.625), Blend::Two(&1, &2, 0.25));
+        assert_eq!(map(&[0.0, 0.5, 1.0]).at(0.5), Blend::One(Some(&1)));
+    }
+
+    #[test]
+    fn of_two_entries_at_one_place_the_first_wins_at_it() {
+        let m = map(&[0.0, 0.5, 0.5, 1.0]);
+        assert_eq!(m.at(0.5), Blend::One(Some(&1)));
+        assert!(matches!(m.at(0.5 + 1e-9), Blend::Two(&2, &3, _)));
+    }
+
+    #[test]
+    fn unsorted_maps_are_walked_from_the_start() {
+        let m = map(&[0.6, 0.2, 0.9]);
+        assert_eq!(m.at(0.3), Blend::One(Some(&0)));
+        assert!(matches!(m.at(0.7), Blend::Two(&1, &2, _)));
+    }
+
+    #[test]
+    fn halving_finds_what_walking_finds() {
+        let positions: Vec<f32> = (0..40).map(|i| (i / 2) as f32 / 20.0).collect();
+        let halved = map(&positions);
+        let walked = Map { sorted: false, ..map(&positions) };
+        for i in 0..200 {
+            let v = f64::from(i) / 190.0;
+            assert_eq!(halved.at(v), walked.at(v), "{v}");
+        }
+    }
+
+    #[test]
+    fn an_empty_map_has_nothing() {
+        assert_eq!(map(&[]).at(0.5), Blend::One(None));
+    }
+}

@@ -1,0 +1,210 @@
+//! Patterns: from a point to a number (textures spec, sections 2 to 4).
+//!
+//! Each family of formulas has its file; [`Kind`] lists them all, and is what evaluation dispatches on.
+mod block;
+mod compile;
+mod crackle;
+mod density;
+mod fractal;
+mod geometric;
+mod noisy;
+mod pavement;
+mod slope;
+mod tiling;
+mod wave;
+
+use std::sync::Arc;
+
+use raggio_geometry::Geometry;
+use raggio_image::grey;
+use raggio_math::noise::{WaveSource, noise};
+use raggio_math::{Vec2, Vec3};
+use raggio_scene as scene;
+
+use crate::compiler::Compiler;
+use crate::image::Image;
+use crate::warp::WarpList;
+use crate::{Context, Noise, Pigment};
+
+pub(crate) use block::{CubeFace, cube_face};
+pub(crate) use crackle::{Metric, nearest_feature};
+pub(crate) use geometric::quilt_strength;
+pub(crate) use noisy::{Turbulence, Waves, wrinkle_bend};
+
+/// A compiled pattern.
+#[derive(Debug)]
+pub struct Pattern {
+    kind: Kind,
+    warps: WarpList,
+    wave: wave::Waveform,
+}
+
+/// The formulas, with all that can be worked out before the first point.
+#[derive(Debug)]
+enum Kind {
+    /// Always 0: what has no value of its own.
+    Zero,
+    Agate {
+        noise: u8,
+        turbulence: Turbulence,
+        strength: f64,
+    },
+    Aoi,
+    Boxed,
+    Bozo {
+        noise: u8,
+    },
+    Brick {
+        size: Vec3,
+        mortar: Vec3,
+        gap: f64,
+    },
+    Cells,
+    Checker,
+    Crackle(Box<crackle::Crackle>),
+    Cubic,
+    Cylindrical,
+    Density(Arc<scene::DensityFile>),
+    Dents {
+        noise: u8,
+    },
+    Fractal(Box<scene::FractalSettings>),
+    Function(Arc<scene::Function>),
+    Gradient {
+        direction: Vec3,
+    },
+    Granite {
+        noise: u8,
+    },
+    Hexagon,
+    Image(Box<Image>),
+    Leopard,
+    Marble {
+        noise: u8,
+        turbulence: Turbulence,
+    },
+    Object(Box<Inside>),
+    Onion,
+    Pavement(pavement::Pavement),
+    Pigment(Arc<Pigment>),
+    Planar,
+    Quilted {
+        controls: Vec2,
+    },
+    Radial,
+    Ripples(Waves),
+    Slope(Box<slope::Slope>),
+    Spherical,
+    Spiral1 {
+        arms: f64,
+        noise: u8,
+        turbulence: Turbulence,
+    },
+    Spiral2 {
+        arms: f64,
+        noise: u8,
+        turbulence: Turbulence,
+    },
+    Square,
+    Tiling(tiling::Tiling),
+    Triangular,
+    Waves(Waves),
+    Wood {
+        turbulence: Turbulence,
+    },
+    Wrinkles {
+        noise: u8,
+    },
+}
+
+/// A compiled object that is asked for insideness only.
+pub(super) struct Inside(Geometry);
+
+impl std::fmt::Debug for Inside {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str("Inside")
+    }
+}
+
+impl Pattern {
+    /// Compiles a pattern.
+    pub fn compile(pattern: &scene::Pattern, noise: Noise) -> Self {
+        Compiler::new(noise).pattern(pattern)
+    }
+
+    /// The value at a point, waves applied (textures spec, section 2).
+    #[inline]
+    pub fn eval(&self, p: Vec3, context: &Context) -> f64 {
+        self.eval_warped(self.warp(p), context)
+    }
+
+    /// The point that the formula sees, and that the entries of the pattern's map start from.
+    #[inline]
+    pub(crate) fn warp(&self, p: Vec3) -> Vec3 {
+        self.warps.apply(p)
+    }
+
+    /// The value at a point that has been warped already.
+    #[inline]
+    pub(crate) fn eval_warped(&self, p: Vec3, context: &Context) -> f64 {
+        self.wave.apply(self.kind.value(p, context))
+    }
+
+    /// The warps, for normals on their way in and out.
+    pub(crate) fn warps(&self) -> &WarpList {
+        &self.warps
+    }
+}
+
+impl Kind {
+    fn value(&self, p: Vec3, context: &Context) -> f64 {
+        match self {
+            Kind::Zero => 0.0,
+            Kind::Agate { noise, turbulence, strength } => noisy::agate(p, *noise, turbulence, *strength),
+            Kind::Aoi => slope::aoi(context),
+            Kind::Boxed => geometric::falling(p.abs().max_element()),
+            Kind::Bozo { noise: generator } => noise(*generator, p),
+            Kind::Brick { size, mortar, gap } => block::brick(p, *size, *mortar, *gap),
+            Kind::Cells => block::cells(p),
+            Kind::Checker => block::checker(p),
+            Kind::Crackle(crackle) => crackle.value(p),
+            Kind::Cubic => f64::from(cube_face(p) as u8),
+            Kind::Cylindrical => geometric::falling(p.x.hypot(p.z)),
+            Kind::Density(file) => density::value(file, p),
+            Kind::Dents { noise: generator } => noise(*generator, p).powi(3),
+            Kind::Fractal(settings) => fractal::value(settings, p),
+            Kind::Function(function) => geometric::above_one_wraps(function.eval(&p.to_array())),
+            Kind::Gradient { direction } => geometric::above_one_wraps(p.dot(*direction)),
+            Kind::Granite { noise } => noisy::granite(p, *noise),
+            Kind::Hexagon => block::hexagon(p),
+            Kind::Image(image) => image.pattern_value(p),
+            Kind::Leopard => geometric::leopard(p),
+            Kind::Marble { noise, turbulence } => p.x + turbulence.along_x(*noise, p),
+            Kind::Object(object) => f64::from(object.0.inside(p)),
+            Kind::Onion => p.length().fract(),
+            Kind::Pavement(pavement) => pavement.value(p.x, p.z),
+            Kind::Pigment(pigment) => f64::from(grey(pigment.sample(p, context).0.rgb)),
+            Kind::Planar => geometric::falling(p.y.abs()),
+            Kind::Quilted { controls } => geometric::quilted(p, *controls),
+            Kind::Radial => geometric::radial(p),
+            Kind::Ripples(waves) => waves.ripples(p),
+            Kind::Slope(slope) => slope.value(p, context),
+            Kind::Spherical => geometric::falling(p.length()),
+            Kind::Spiral1 { arms, noise, turbulence } => noisy::spiral(p, *arms, *noise, turbulence),
+            Kind::Spiral2 { arms, noise, turbulence } => {
+                wave::triangle(p.x.hypot(p.y)) + wave::triangle(noisy::spiral(p, *arms, *noise, turbulence))
+            }
+            Kind::Square => block::square(p),
+            Kind::Tiling(tiling) => tiling.value(p.x, p.z),
+            Kind::Triangular => block::triangular(p),
+            Kind::Waves(waves) => waves.waves(p),
+            Kind::Wood { turbulence } => noisy::wood(p, turbulence),
+            Kind::Wrinkles { noise } => noisy::wrinkles(p, *noise),
+        }
+    }
+}
+
+/// The sources that `ripples` and `waves` of this scene spread from.
+fn sources(count: u32) -> Box<[WaveSource]> {
+    raggio_math::noise::wave_sources(count).into()
+}

@@ -1,0 +1,143 @@
+//! Pigments: from a point to a colour (textures spec, sections 7 and 9).
+use std::sync::Arc;
+
+use raggio_image::{Color, Rgb};
+use raggio_math::Vec3;
+use raggio_scene::{self as scene, PatternKind, PigmentKind};
+
+use crate::compiler::Compiler;
+use crate::image::Image;
+use crate::map::{Blend, Map};
+use crate::warp::WarpList;
+use crate::{Context, Noise, Pattern};
+
+/// A compiled pigment.
+#[derive(Debug)]
+pub struct Pigment {
+    kind: Kind,
+    quick_color: Option<Color>,
+    opaque: bool,
+}
+
+#[derive(Debug)]
+enum Kind {
+    Solid(Color),
+    Colors { pattern: Pattern, map: Map<Color> },
+    Pigments { pattern: Pattern, map: Map<Arc<Pigment>> },
+    Average { pattern: Pattern, map: Map<Arc<Pigment>> },
+    Image { warps: WarpList, image: Image },
+    Uv(Arc<Pigment>),
+}
+
+/// What an image shows beside its one copy: nothing, and all that lies behind.
+const CLEAR: Color = Color { rgb: Rgb::ONE, filter: 0.0, transmit: 1.0 };
+
+fn lets_nothing_through(color: &Color) -> bool {
+    color.filter == 0.0 && color.transmit == 0.0
+}
+
+impl Compiler {
+    /// Compiles a pigment with all its parts.
+    pub(crate) fn pigment(&mut self, pigment: &scene::Pigment) -> Pigment {
+        let kind = match &pigment.kind {
+            PigmentKind::Solid(color) => Kind::Solid(*color),
+            PigmentKind::ColorMap { pattern, map } => {
+                Kind::Colors { pattern: self.pattern(pattern), map: Map::new(map.iter().copied()) }
+            }
+            PigmentKind::PigmentMap { pattern, map } => {
+                let map = Map::new(map.iter().map(|(at, entry)| (*at, self.shared_pigment(entry))));
+                let average = matches!(pattern.kind, PatternKind::Average);
+                let pattern = self.pattern(pattern);
+                if average { Kind::Average { pattern, map } } else { Kind::Pigments { pattern, map } }
+            }
+            PigmentKind::Image { warps, image } => {
+                Kind::Image { warps: WarpList::compile(warps), image: Image::compile(image) }
+            }
+            PigmentKind::Uv(inner) => Kind::Uv(self.shared_pigment(inner)),
+        };
+        let opaque = kind.is_opaque();
+        Pigment { kind, quick_color: pigment.quick_color, opaque }
+    }
+}
+
+impl Kind {
+    fn is_opaque(&self) -> bool {
+        match self {
+            Kind::Solid(color) => lets_nothing_through(color),
+            Kind::Colors { map, .. } => map.items().all(lets_nothing_through),
+            Kind::Pigments { map, .. } | Kind::Average { map, .. } => map.items().all(|p| p.opaque),
+            Kind::Image { image, .. } => image.is_opaque(),
+            Kind::Uv(inner) => inner.opaque,
+        }
+    }
+}
+
+impl Pigment {
+    /// Compiles a pigment.
+    pub fn compile(pigment: &scene::Pigment, noise: Noise) -> Self {
+        Compiler::new(noise).pigment(pigment)
+    }
+
+    /// The colour at a point; `None` where an image used `once` has none.
+    #[inline]
+    pub fn eval(&self, p: Vec3, context: &Context) -> Option<Color> {
+        let (color, found) = self.sample(p, context);
+        found.then_some(color)
+    }
+
+    /// The colour at a point, clear white where there is none, and whether there is one.
+    pub fn sample(&self, p: Vec3, context: &Context) -> (Color, bool) {
+        match &self.kind {
+            Kind::Solid(color) => (*color, true),
+            Kind::Colors { pattern, map } => {
+                let color = match map.at(pattern.eval(p, context)) {
+                    Blend::One(color) => color.copied().unwrap_or_default(),
+                    Blend::Two(low, high, t) => low.lerp(*high, t),
+                };
+                (color, true)
+            }
+            Kind::Pigments { pattern, map } => {
+                let p = pattern.warp(p);
+                match map.at(pattern.eval_warped(p, context)) {
+                    Blend::One(entry) => entry.map_or((Color::BLACK, true), |e| e.sample(p, context)),
+                    Blend::Two(low, high, t) => mix(low.sample(p, context), high.sample(p, context), t),
+                }
+            }
+            Kind::Average { pattern, map } => average(map, pattern.warp(p), context),
+            Kind::Image { warps, image } => match image.color(warps.apply(p)) {
+                Some(color) => (color, true),
+                None => (CLEAR, false),
+            },
+            Kind::Uv(inner) => inner.sample(context.uv_point(), context),
+        }
+    }
+
+    /// Does no part of it ever let light through?
+    pub fn is_opaque(&self) -> bool {
+        self.opaque
+    }
+
+    /// The colour for low quality.
+    pub fn quick_color(&self) -> Option<Color> {
+        self.quick_color
+    }
+}
+
+/// A mix is found where either part is.
+fn mix((a, a_found): (Color, bool), (b, b_found): (Color, bool), t: f64) -> (Color, bool) {
+    (a.lerp(b, t), a_found || b_found)
+}
+
+fn average(map: &Map<Arc<Pigment>>, p: Vec3, context: &Context) -> (Color, bool) {
+    let total = map.total_weight() as f32;
+    let (mut sum, mut found) = (Color::BLACK, false);
+    for (weight, pigment) in map.weighted() {
+        let (color, here) = pigment.sample(p, context);
+        let weight = weight / total;
+        sum.rgb += color.rgb * weight;
+        sum.filter += color.filter * weight;
+        sum.transmit += color.transmit * weight;
+        found |= here;
+    }
+    (sum, found)
+}

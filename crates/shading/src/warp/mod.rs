@@ -1,0 +1,132 @@
+//! The list of operations that move a point before a pattern looks at it (textures spec, section 5).
+mod black_hole;
+mod mapping;
+mod repeat;
+
+use raggio_math::noise::dturbulence;
+use raggio_math::transform::normal_by_inverse;
+use raggio_math::{Affine, Vec3};
+use raggio_scene as scene;
+
+use black_hole::BlackHole;
+use mapping::{Mapping, Projection};
+pub(crate) use mapping::{longitude, torus_angles};
+use repeat::Repeat;
+
+/// Points farther out than this are pulled in, and a NaN lands here.
+const LIMIT: Vec3 = Vec3::splat(1e17);
+
+/// Operations in the order in which they act on the point.
+#[derive(Debug, Default)]
+pub(crate) struct WarpList {
+    ops: Box<[Op]>,
+}
+
+#[derive(Debug)]
+enum Op {
+    Transform(Box<Transform>),
+    Turbulence(scene::Turbulence),
+    Repeat(Repeat),
+    BlackHole(Box<BlackHole>),
+    Mapping(Mapping),
+}
+
+#[derive(Debug)]
+struct Transform {
+    forward: Affine,
+    inverse: Affine,
+}
+
+impl WarpList {
+    pub fn compile(warps: &[scene::Warp]) -> Self {
+        let mut ops: Vec<Op> = Vec::with_capacity(warps.len());
+        for warp in warps {
+            match (Op::compile(warp), ops.last_mut()) {
+                (Op::Transform(next), Some(Op::Transform(last))) => {
+                    last.inverse = next.inverse * last.inverse;
+                    last.forward *= next.forward;
+                }
+                (op, _) => ops.push(op),
+            }
+        }
+        WarpList { ops: ops.into() }
+    }
+
+    /// The point that the pattern sees.
+    #[inline]
+    pub fn apply(&self, p: Vec3) -> Vec3 {
+        let p = clip(p);
+        if self.ops.is_empty() { p } else { clip(self.ops.iter().fold(p, |p, op| op.apply(p))) }
+    }
+
+    /// A normal carried into the pattern's space. Only transforms act. `scaled` keeps lengths, for `no_bump_scale`.
+    pub fn normal_in(&self, n: Vec3, scaled: bool) -> Vec3 {
+        let n = self.transforms().fold(unit(n, scaled), |n, t| t.forward.matrix3.transpose() * n);
+        unit(n, scaled)
+    }
+
+    /// And back.
+    pub fn normal_out(&self, n: Vec3, scaled: bool) -> Vec3 {
+        let n = self.transforms().rev().fold(unit(n, scaled), |n, t| normal_by_inverse(&t.inverse, n));
+        unit(n, scaled)
+    }
+
+    fn transforms(&self) -> impl DoubleEndedIterator<Item = &Transform> {
+        self.ops.iter().filter_map(|op| match op {
+            Op::Transform(t) => Some(&**t),
+            _ => None,
+        })
+    }
+}
+
+fn unit(n: Vec3, leave: bool) -> Vec3 {
+    if leave { n } else { n.normalize_or(n) }
+}
+
+fn clip(p: Vec3) -> Vec3 {
+    p.max(-LIMIT).min(LIMIT)
+}
+
+impl Op {
+    fn compile(warp: &scene::Warp) -> Op {
+        use scene::Warp;
+        match *warp {
+            Warp::Transform { forward, inverse } => Op::Transform(Box::new(Transform { forward, inverse })),
+            Warp::ClassicTurbulence(t) | Warp::Turbulence(t) => Op::Turbulence(t),
+            Warp::Repeat { axis, width, flip, offset } => {
+                Op::Repeat(Repeat::new(usize::from(axis), width, flip, offset))
+            }
+            Warp::BlackHole { center, radius, strength, falloff, inverse, repeat, turbulence } => {
+                let hole = BlackHole::new(center, radius, strength, falloff, inverse, repeat, turbulence);
+                Op::BlackHole(Box::new(hole))
+            }
+            Warp::Cylindrical { orientation, dist_exp } => {
+                Op::Mapping(Mapping::new(Projection::Cylindrical { dist_exp }, orientation))
+            }
+            Warp::Spherical { orientation, dist_exp } => {
+                Op::Mapping(Mapping::new(Projection::Spherical { dist_exp }, orientation))
+            }
+            Warp::Toroidal { orientation, dist_exp, major_radius } => {
+                Op::Mapping(Mapping::new(Projection::Toroidal { dist_exp, major_radius }, orientation))
+            }
+            Warp::Planar { orientation, distance } => {
+                Op::Mapping(Mapping::new(Projection::Planar { distance }, orientation))
+            }
+            Warp::Cubic => Op::Mapping(Mapping::new(Projection::Cubic, Vec3::Z)),
+        }
+    }
+
+    fn apply(&self, p: Vec3) -> Vec3 {
+        match self {
+            Op::Transform(t) => t.inverse.transform_point3(p),
+            Op::Turbulence(t) => displace(p, t),
+            Op::Repeat(repeat) => repeat.apply(p),
+            Op::BlackHole(hole) => hole.apply(p),
+            Op::Mapping(mapping) => mapping.apply(p),
+        }
+    }
+}
+
+fn displace(p: Vec3, t: &scene::Turbulence) -> Vec3 {
+    if t.amount == Vec3::ZERO { p } else { p + dturbulence(p, t.octaves, t.omega, t.lambda) * t.amount }
+}

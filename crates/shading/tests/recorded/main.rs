@@ -1,0 +1,6 @@
+//! Compiled textures against values recorded from the language's reference renderer.
+mod normals;
+mod patterns;
+mod pigments;
+mod statement;
+mod surface;
