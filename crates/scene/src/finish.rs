@@ -25,6 +25,17 @@ pub struct Finish {
     pub conserve_energy: bool,
     pub irid: Option<Irid>,
     pub subsurface: Option<Subsurface>,
+    /// Old words that the front end carries on to the interior of the objects that have this finish; engines ignore it.
+    pub legacy_interior: Option<LegacyInterior>,
+}
+
+/// `ior`, `caustics` and `refraction` written in a finish, where they once belonged.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[allow(missing_docs)]
+pub struct LegacyInterior {
+    pub ior: Option<f32>,
+    pub caustics: Option<f32>,
+    pub refraction: Option<f32>,
 }
 
 /// `reflection { ... }`
@@ -78,6 +89,7 @@ impl Default for Finish {
             conserve_energy: false,
             irid: None,
             subsurface: None,
+            legacy_interior: None,
         }
     }
 }

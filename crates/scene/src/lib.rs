@@ -32,7 +32,7 @@ mod texture;
 
 pub use atmosphere::{Atmosphere, Background, Fog, FogKind, Rainbow, SkySphere};
 pub use camera::{Camera, CameraKind, FocalBlur, MeshCamera};
-pub use finish::{Finish, Irid, Reflection, Subsurface};
+pub use finish::{Finish, Irid, LegacyInterior, Reflection, Subsurface};
 pub use interior::{Density, Interior, Media, Scattering};
 pub use light::{AreaLight, Light, LightKind};
 pub use normal::{Normal, NormalKind, NormalPattern};

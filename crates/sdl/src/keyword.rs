@@ -66,7 +66,7 @@ keywords! {
     Max_trace_level Maximum_reuse Media Media_attenuation Media_interaction Merge Mesh Mesh2 Mesh_camera
     Metallic Method Metric Min Min_extent Minimum_reuse Mm_per_unit Mod Mortar Natural_spline
     Nearest_count No No_bump_scale No_image No_radiosity No_reflection No_shadow Noise_generator Normal
-    Normal_indices Normal_map Normal_vectors Now Number_of_waves Object Octaves Off Offset Omega Omnimax
+    Normal_indices Normal_map Normal_vectors Now Number_of_sides Number_of_tiles Number_of_waves Object Octaves Off Offset Omega Omnimax
     On Once Onion Open Orient Orientation Orthographic Ovus Panoramic Parallel Parametric Pass_through
     Pattern Pavement Perspective Pgm Phase Phong Phong_size Photons Pi Pigment Pigment_map Pigment_pattern
     Planar Plane Png Point_at Poly Poly_wave Polygon Polynomial Pot Pow Ppm Precision Precompute
@@ -84,7 +84,7 @@ keywords! {
     Uint16be Uint16le Uint8 Ultra_wide_angle Undef Union Up Use_alpha Use_color Use_colour Use_index Utf8
     Uv_indices Uv_mapping Uv_vectors V V_steps Val Variance Vaxis_rotate Vcross Vdot Version
     Vertex_vectors Vlength Vnormalize Vrotate Vstr Vturbulence Warning Warp Water_level Waves While Width
-    Wood Wrinkles Write X Y Yes Z
+    Wood Wrinkles Write X Xyz Y Yes Z
 }
 
 #[cfg(test)]

@@ -101,6 +101,11 @@ pub fn begins_number(kw: Kw) -> bool {
 }
 
 impl Parser<'_> {
+    /// The value of `clock`, which arrives in single precision.
+    pub fn clock(&self) -> f64 {
+        f64::from(self.options.clock as f32)
+    }
+
     /// The operand that begins with this word, consumed; `None` if there is none.
     pub(super) fn word_operand(&mut self, kw: Kw) -> Result<Option<Num>> {
         if !begins_number(kw) {
@@ -115,7 +120,7 @@ impl Parser<'_> {
             Kw::True | Kw::Yes | Kw::On => Num::float(1.0),
             Kw::False | Kw::No | Kw::Off => Num::float(0.0),
             Kw::Version => Num::float(f64::from(self.lang()) / 100.0),
-            Kw::Clock => Num::float(f64::from(self.options.clock as f32)),
+            Kw::Clock => Num::float(self.clock()),
             Kw::Clock_on => Num::float(f64::from(u8::from(self.options.clock_on))),
             Kw::Now => Num::float(super::datetime::now()),
             Kw::X => Num::vector(&[1.0, 0.0, 0.0]),
