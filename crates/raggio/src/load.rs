@@ -61,7 +61,7 @@ pub struct Failure {
 impl Failure {
     /// All of it as text for a person, without colours.
     pub fn render(&self) -> String {
-        self.diagnostics.iter().map(|d| plain(d, &self.sources)).collect()
+        self.diagnostics.iter().map(|d| d.render(&self.sources, false)).collect()
     }
 }
 
@@ -131,12 +131,4 @@ impl Loaded {
             sources: self.sources.clone(),
         })
     }
-}
-
-fn plain(d: &Diagnostic, sources: &Sources) -> String {
-    let place = d.span.map(|s| {
-        let (line, column) = sources.line_column(s);
-        format!("{}:{line}:{column}: ", sources.get(s.file).name)
-    });
-    format!("{}{:?}[{}]: {}\n", place.unwrap_or_default(), d.severity, d.code, d.message)
 }
