@@ -11,6 +11,7 @@ mod film;
 mod integrator;
 mod lights;
 mod media;
+mod photons;
 mod radiosity;
 mod sampler;
 mod sampling;
@@ -18,3 +19,9 @@ mod world;
 
 pub use api::{Antialias, AntialiasMethod, Film, Options, Region};
 pub use world::World;
+
+#[cfg(test)]
+extern crate self as raggio_render;
+#[cfg(test)]
+#[path = "../tests/stage/mod.rs"]
+mod stage;

@@ -4,7 +4,7 @@ use std::sync::Arc;
 use raggio_geometry::{BuildError, Geometry, Hit, Interaction, InteriorId, Material, TextureId};
 use raggio_image::Rgb;
 use raggio_math::{Affine, Vec3};
-use raggio_scene::{GammaMode, Interior, Object, ObjectKind, Scene};
+use raggio_scene::{GammaMode, Interior, PhotonFlags, Scene};
 use raggio_shading::{Noise, Texture};
 use rustc_hash::FxHashMap;
 
@@ -12,7 +12,7 @@ use crate::atmosphere::Sky;
 use crate::camera::Camera;
 use crate::lights::{LightSets, LightSource};
 use crate::media::MediaList;
-use crate::radiosity;
+use crate::{photons, radiosity};
 
 /// A scene made ready for rays.
 pub struct World {
@@ -32,6 +32,8 @@ pub struct World {
     pub(crate) rules: Rules,
     /// Diffuse light between surfaces.
     pub(crate) radiosity: Option<radiosity::Rules>,
+    /// What photons are shot at.
+    pub(crate) photons: Option<photons::Plan>,
     /// Does any interior or empty space have media?
     pub(crate) any_media: bool,
 }
@@ -96,6 +98,7 @@ impl World {
         Ok(World {
             light_sets: LightSets::new(&geometry),
             radiosity: radiosity_rules(scene, &geometry),
+            photons: photons::Plan::new(scene)?,
             camera: Camera::build(&scene.camera, rules.noise, &geometry)?,
             sky: Sky::new(scene, rules.noise),
             opaque: opaque_materials(&geometry, &textures),
@@ -112,10 +115,8 @@ impl World {
     /// The effects of a scene that are not built yet and would be left out of its picture.
     pub fn unsupported(scene: &Scene) -> Vec<&'static str> {
         let mut missing = Vec::new();
-        if scene.settings.photons.as_ref().is_some_and(|p| p.gather_max > 0)
-            && scene.objects.iter().any(|o| any_object(o, &|o| o.photons.target.is_some()))
-        {
-            missing.push("photons");
+        if photons::Plan::in_media(scene) {
+            missing.push("photons in media");
         }
         if scene.settings.subsurface.is_some() {
             missing.push("subsurface light");
@@ -138,6 +139,12 @@ impl World {
     /// Does the surface at a hit stop all light?
     pub(crate) fn stops_light(&self, hit: &Hit) -> bool {
         self.geometry.plain_material(hit.leaf).is_some_and(|material| self.opaque[material.0 as usize])
+    }
+
+    /// Do photons bring what a surface lets through of a light?
+    pub(crate) fn photons_replace(&self, hit: &Hit, light: &PhotonFlags) -> bool {
+        let material = &self.geometry.materials[self.geometry.material_at(hit).0 as usize];
+        photons::replaces_light(&material.photons, light)
     }
 
     /// Do all these interiors let fog and media show?
@@ -214,14 +221,4 @@ fn radiosity_rules(scene: &Scene, geometry: &Geometry) -> Option<radiosity::Rule
             .any(|m| m.radiosity_importance.is_some_and(|importance| importance < 1.0));
     let settings = scene.settings.radiosity.as_ref()?;
     Some(radiosity::Rules::new(settings, scene.camera.location, default, uneven))
-}
-
-fn any_object(object: &Object, test: &impl Fn(&Object) -> bool) -> bool {
-    test(object)
-        || match &object.kind {
-            ObjectKind::Csg { children, .. } | ObjectKind::LightGroup { children, .. } => {
-                children.iter().any(|child| any_object(child, test))
-            }
-            ObjectKind::Shape(_) | ObjectKind::Light(_) => false,
-        }
 }

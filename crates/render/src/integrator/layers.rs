@@ -24,6 +24,8 @@ struct Stack {
     n_top: Vec3,
     /// Diffuse light from other surfaces before and behind, found once for all layers.
     around: [Option<Rgb>; 2],
+    /// The radius of the photons gathered, found once for all layers.
+    photons: Option<f64>,
     mirrors: SmallVec<[Mirror; 2]>,
 }
 
@@ -47,6 +49,7 @@ impl Tracer<'_> {
             colored: false,
             n_top: point.n,
             around: [None; 2],
+            photons: None,
             mirrors: SmallVec::new(),
         };
         for (i, layer) in layers.iter().rev().enumerate() {
@@ -98,7 +101,11 @@ impl Tracer<'_> {
             Some(state) if state.skips_lights() => Rgb::ZERO,
             _ => self.local_light(point, finish, n, color.rgb, opacity),
         };
-        stack.light += stack.filter * (tint * own + lit);
+        let thrown = match &self.photons {
+            Some(_) => self.photon_light(point, finish, n, color.rgb, opacity, &mut stack.photons),
+            None => Rgb::ZERO,
+        };
+        stack.light += stack.filter * (tint * own + lit + thrown);
         if found.is_some() {
             stack.colored = true;
             stack.filter *= color.transmission();
