@@ -70,19 +70,20 @@ impl Search<'_> {
 
     /// `evaluate`: a steeper slope than expected raises the gradient.
     fn learn(&mut self, slope: f64) {
-        if let Some(IsosurfaceEvaluate { increase, .. }) = self.surface.evaluate {
-            if slope.is_finite() && self.gradient < slope * increase {
-                self.gradient = slope * increase * increase;
-            }
+        if let Some(IsosurfaceEvaluate { increase, .. }) = self.surface.evaluate
+            && slope.is_finite()
+            && self.gradient < slope * increase
+        {
+            self.gradient = slope * increase * increase;
         }
     }
 
     /// `evaluate`: a gradient above the minimum sinks from search to search.
     fn relax(&mut self) {
-        if let Some(IsosurfaceEvaluate { minimum, decrease, .. }) = self.surface.evaluate {
-            if self.gradient > minimum {
-                self.gradient *= decrease;
-            }
+        if let Some(IsosurfaceEvaluate { minimum, decrease, .. }) = self.surface.evaluate
+            && self.gradient > minimum
+        {
+            self.gradient *= decrease;
         }
     }
 }
