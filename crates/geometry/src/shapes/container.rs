@@ -41,7 +41,7 @@ pub(crate) fn wall(container: &Container, p: Vec3) -> u32 {
     let Container::Box { min, max } = *container else { return SPHERE };
     let away = |side: u32| {
         let axis = side as usize / 2;
-        let face = if side % 2 == 0 { min[axis] } else { max[axis] };
+        let face = if side.is_multiple_of(2) { min[axis] } else { max[axis] };
         (p[axis] - face).abs()
     };
     (0..6).min_by(|&a, &b| away(a).total_cmp(&away(b))).unwrap_or(0)
@@ -53,5 +53,5 @@ pub(crate) fn wall_normal(container: &Container, side: u32, p: Vec3) -> Vec3 {
         return (p - center).normalize_or(Vec3::X);
     }
     let normal = Vec3::AXES[side as usize / 2 % 3];
-    if side % 2 == 0 { -normal } else { normal }
+    if side.is_multiple_of(2) { -normal } else { normal }
 }

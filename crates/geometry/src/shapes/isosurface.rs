@@ -60,25 +60,30 @@ impl Search<'_> {
             return None;
         }
         let middle = 0.5 * (a.0 + b.0);
+        // So far away that numbers are coarser than the accuracy.
+        if !(a.0 < middle && middle < b.0) {
+            return (b.1 < 0.0).then_some(b.0);
+        }
         let middle = (middle, self.value(middle));
         self.first(a, middle).or_else(|| self.first(middle, b))
     }
 
     /// `evaluate`: a steeper slope than expected raises the gradient.
     fn learn(&mut self, slope: f64) {
-        if let Some(IsosurfaceEvaluate { increase, .. }) = self.surface.evaluate {
-            if slope.is_finite() && self.gradient < slope * increase {
-                self.gradient = slope * increase * increase;
-            }
+        if let Some(IsosurfaceEvaluate { increase, .. }) = self.surface.evaluate
+            && slope.is_finite()
+            && self.gradient < slope * increase
+        {
+            self.gradient = slope * increase * increase;
         }
     }
 
     /// `evaluate`: a gradient above the minimum sinks from search to search.
     fn relax(&mut self) {
-        if let Some(IsosurfaceEvaluate { minimum, decrease, .. }) = self.surface.evaluate {
-            if self.gradient > minimum {
-                self.gradient *= decrease;
-            }
+        if let Some(IsosurfaceEvaluate { minimum, decrease, .. }) = self.surface.evaluate
+            && self.gradient > minimum
+        {
+            self.gradient *= decrease;
         }
     }
 }
@@ -135,8 +140,8 @@ impl Isosurface {
     fn trace(&self, ray: Ray, to: &mut impl Collect) -> f64 {
         let stretch = ray.dir.length();
         let mut search = Search { surface: self, ray, stretch, sign: 1.0, gradient: self.max_gradient };
-        let span =
-            container::span(&self.container, &ray).filter(|s| s.1 > to.range().0 && s.0 < to.range().1);
+        let span = container::span(&self.container, &ray)
+            .filter(|s| s.1 > to.range().0 && s.0 < to.range().1 && s.1.is_finite());
         let Some((enter, leave)) = span else { return self.max_gradient };
         let mut left = self.max_trace;
         let last = search.value(leave);

@@ -138,6 +138,10 @@ impl Julia {
         }
         while t < leave && t < to.range().1 {
             let next = t + now.step;
+            // So far away that a step changes nothing.
+            if next <= t {
+                return;
+            }
             let seen = self.look(ray.at(next), ray.dir);
             if seen.inside != now.inside {
                 to.push(LocalHit::at(self.border(ray, t, next, seen.inside)));

@@ -125,7 +125,8 @@ impl Parametric {
                 continue;
             }
             let size = rect.hi - rect.lo;
-            if size.max_element().min(bounds.size().max_element()) < self.accuracy {
+            let finest = 1e-15 * rect.lo.abs().max(rect.hi.abs()).max_element();
+            if size.max_element().min(bounds.size().max_element()) < self.accuracy.max(finest) {
                 to.push(LocalHit { t: entry(&bounds, ray), part: 0, u: rect.lo.x, v: rect.lo.y });
                 continue;
             }

@@ -2,6 +2,9 @@
 use raggio_bvh::Bvh;
 use raggio_math::{Aabb, Ray, Vec3};
 
+/// Rays that start farther away are not for the tree, whose boxes are in single precision.
+const REACH: f64 = 1e30;
+
 /// Boxes of parts; a part is an index.
 pub(crate) struct Parts {
     bvh: Bvh,
@@ -29,6 +32,10 @@ impl Parts {
     pub(crate) fn visit_ray(&self, ray: &Ray, range: (f64, f64), mut each: impl FnMut(usize) -> f64) {
         for &part in &self.unbounded {
             each(part as usize);
+        }
+        let sane = |v: Vec3| v.abs().max_element() < REACH && !v.is_nan();
+        if !(sane(ray.origin) && sane(ray.dir)) {
+            return;
         }
         self.bvh.closest(ray, range, |part, _| Some(each(part as usize)));
     }
