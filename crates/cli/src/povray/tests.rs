@@ -200,7 +200,7 @@ fn switches_set_what_they_say() {
     assert_eq!(s.declares, [("A".to_owned(), 1.0), ("B".to_owned(), 0.5)]);
     assert_eq!(good("-TH").dither_method, Dither::FloydSteinberg);
     assert_eq!((good("-FT").output_to_file, good("-FT +F").format), (false, Format::Tga));
-    assert_eq!(good("+FNG").grey, true);
+    assert!(good("+FNG").grey);
     assert_eq!(good("File_Gamma=1.8").file_curve, Curve::Power(1.8));
     assert_eq!(good("+FN3").bits, 5);
     assert!(!good("+RTR").output_to_file);
