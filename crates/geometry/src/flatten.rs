@@ -2,16 +2,17 @@
 use std::sync::Arc;
 
 use raggio_math::{Aabb, Affine};
-use raggio_scene::{Csg, Interior, Light, Object, ObjectKind, PhotonFlags, Placed, Shape};
+use raggio_scene::{Csg, Light, Object, ObjectKind, Placed, Shape};
 use rustc_hash::FxHashMap;
 
 use crate::index::Index;
+use crate::inherit::{Context, OUTERMOST_ONLY, all_shadowless, effective};
 use crate::leaf::{Leaf, Leaves};
 use crate::materials::Materials;
 use crate::shape_pool::{PlacedShape, ShapePool};
 use crate::texturing::{Cutaway, Parts};
 use crate::tree::{Group, Member, NodeRef, Op};
-use crate::{BuildError, InteriorId, LightGroupId, Material, MaterialId, PlacedLight, RayClass, TextureId};
+use crate::{BuildError, LightGroupId, MaterialId, PlacedLight, RayClass, TextureId};
 
 /// Everything that walking the objects yields.
 pub(crate) struct Flat {
@@ -23,32 +24,6 @@ pub(crate) struct Flat {
     pub(crate) materials: Materials,
     pub(crate) lights: Vec<PlacedLight>,
     pub(crate) parts: Parts,
-}
-
-/// What an object inherits.
-#[derive(Clone)]
-struct Context {
-    world_from_here: Affine,
-    inverted: bool,
-    texture: Option<TextureId>,
-    interior_texture: Option<TextureId>,
-    /// `None` only above the top-level objects.
-    interior: Option<InteriorId>,
-    uv_mapping: bool,
-    hollow: bool,
-    /// Rays that do not see it, as bits of [`RayClass`].
-    skip: u8,
-    double_illuminate: bool,
-    light_group: Option<LightGroupId>,
-    global_lights: bool,
-    photons: PhotonFlags,
-    radiosity_importance: Option<f32>,
-    /// Number of the top-level object.
-    object: u32,
-    /// The group whose `cutaway_textures` decide where a leaf has no texture of its own.
-    cutaway: Option<Cutaway>,
-    /// Inside a clip or bound: only its form matters.
-    form_only: bool,
 }
 
 /// A member with its boxes.
@@ -69,7 +44,6 @@ struct Walk {
     parts: Parts,
     pool: ShapePool,
     light_groups: u32,
-    default_interior: Placed<Interior>,
     keep_all_bounds: bool,
 }
 
@@ -84,7 +58,6 @@ pub(crate) fn flatten(objects: &[Arc<Object>], keep_all_bounds: bool) -> Result<
         parts: FxHashMap::default(),
         pool: ShapePool::default(),
         light_groups: 0,
-        default_interior: Placed::new(Arc::new(Interior::default())),
         keep_all_bounds,
     };
     let mut members = Vec::with_capacity(objects.len());
@@ -98,37 +71,6 @@ pub(crate) fn flatten(objects: &[Arc<Object>], keep_all_bounds: bool) -> Result<
     Ok(Flat { leaves, groups, world, bounds, materials, lights, parts })
 }
 
-impl Context {
-    fn top_level(object: u32) -> Self {
-        Context {
-            world_from_here: Affine::IDENTITY,
-            inverted: false,
-            texture: None,
-            interior_texture: None,
-            interior: None,
-            uv_mapping: false,
-            hollow: false,
-            skip: 0,
-            double_illuminate: false,
-            light_group: None,
-            global_lights: true,
-            photons: PhotonFlags::default(),
-            radiosity_importance: None,
-            object,
-            cutaway: None,
-            form_only: false,
-        }
-    }
-
-    /// For clips and bounds, whose coordinates are those around the object.
-    fn form_only(&self) -> Self {
-        Context { form_only: true, inverted: false, skip: 0, cutaway: None, ..self.clone() }
-    }
-}
-
-/// Flags that are tested only on top-level objects and on children of unions that were opened into the world.
-const OUTERMOST_ONLY: u8 = RayClass::Shadow.bit();
-
 impl Walk {
     /// Compiles an object into members of the group around it, which combines by `around`. Groups that mean the same
     /// as their members in a row are opened; none is where `around` is a merge.
@@ -141,57 +83,23 @@ impl Walk {
     ) -> Result<(), BuildError> {
         match &object.kind {
             ObjectKind::Shape(shape) => {
-                let context = self.inherit(object, outer);
+                let context = outer.inherited(object, &mut self.materials);
                 let leaf = self.leaf(object, shape, &context)?;
                 self.fence(object, outer, leaf, members)
             }
             ObjectKind::Light(light) => self.light(object, light, outer, around, members),
             ObjectKind::LightGroup { children, global_lights } => {
-                let mut context = self.inherit(object, outer);
+                let mut context = outer.inherited(object, &mut self.materials);
                 context.light_group = Some(LightGroupId(self.light_groups));
                 context.global_lights = *global_lights;
                 self.light_groups += 1;
                 self.combination(object, Csg::Union, children, &context, outer, around, members)
             }
             ObjectKind::Csg { op, children } => {
-                let context = self.inherit(object, outer);
+                let context = outer.inherited(object, &mut self.materials);
                 self.combination(object, *op, children, &context, outer, around, members)
             }
         }
-    }
-
-    /// What the object's own parts inherit.
-    fn inherit(&mut self, object: &Object, outer: &Context) -> Context {
-        let mut c = outer.clone();
-        c.world_from_here = outer.world_from_here * object.parent_from_object;
-        c.inverted ^= object.inverse;
-        if c.form_only {
-            return c;
-        }
-        // Textures of an object with uv_mapping do not move with what is around it.
-        let around = if object.uv_mapping { Affine::IDENTITY } else { outer.world_from_here };
-        if let Some(texture) = &object.texture {
-            c.texture = Some(self.materials.texture(&texture.item, &(around * texture.parent_from_item)));
-            c.uv_mapping = false;
-            c.cutaway = None;
-        }
-        if let Some(texture) = &object.interior_texture {
-            c.interior_texture =
-                Some(self.materials.texture(&texture.item, &(around * texture.parent_from_item)));
-        }
-        c.uv_mapping |= object.uv_mapping;
-        // A top-level object without an interior has one of its own nevertheless, and its parts share it.
-        if let Some(interior) = &object.interior {
-            c.interior = Some(self.materials.interior(interior, &outer.world_from_here));
-        } else if c.interior.is_none() {
-            c.interior = Some(self.materials.interior(&self.default_interior.clone(), &Affine::IDENTITY));
-        }
-        c.hollow = object.hollow.unwrap_or(outer.hollow);
-        c.skip |= skip_bits(object);
-        c.double_illuminate |= object.double_illuminate;
-        c.photons = inherit_photons(object.photons, outer.photons);
-        c.radiosity_importance = object.radiosity_importance.or(outer.radiosity_importance);
-        c
     }
 
     /// A shape becomes a leaf.
@@ -199,7 +107,7 @@ impl Walk {
         let PlacedShape { prim, inverted, surface, inside, outside } =
             self.pool.place(&mut self.leaves, shape, &c.world_from_here, c.inverted)?;
         let index = self.leaves.leaves.len();
-        let material = if c.form_only { MaterialId(u32::MAX) } else { self.material(c) };
+        let material = if c.form_only { MaterialId(u32::MAX) } else { c.material(&mut self.materials) };
         self.leaves.leaves.push(Leaf { prim, material, inverted });
         if !c.form_only {
             self.part_textures(object, shape, c, index as u32);
@@ -208,24 +116,6 @@ impl Walk {
             }
         }
         Ok(Built { member: Member { node: NodeRef::leaf(index), skip: c.skip }, surface, inside, outside })
-    }
-
-    fn material(&mut self, c: &Context) -> MaterialId {
-        let interior = c.interior.unwrap_or(InteriorId(0));
-        // The member processed last decides for all that share the interior.
-        self.materials.interiors[interior.0 as usize].hollow = c.hollow;
-        self.materials.material(Material {
-            texture: if c.cutaway.is_some() { None } else { c.texture },
-            interior_texture: c.interior_texture,
-            interior,
-            double_illuminate: c.double_illuminate,
-            uv_mapping: c.uv_mapping,
-            light_group: c.light_group,
-            global_lights: c.global_lights,
-            photons: c.photons,
-            radiosity_importance: c.radiosity_importance,
-            object: c.object,
-        })
     }
 
     /// Textures that a mesh's faces or a blob's components bring along.
@@ -263,9 +153,10 @@ impl Walk {
         let opened = !fenced && !cutaway && around == op && op != Op::Merge;
         let mut inner = context.clone();
         let reserved = (!opened).then(|| self.reserve());
-        if cutaway && !inner.form_only {
+        // A texture on the group itself, or around it, is inherited as ever.
+        if cutaway && !inner.form_only && inner.texture.is_none() {
             let difference = matches!(csg, Csg::Difference { .. });
-            inner.cutaway = reserved.map(|group| Cutaway { group, difference, otherwise: context.texture });
+            inner.cutaway = reserved.map(|group| Cutaway { group, difference });
         }
         if !opened && op == Op::Union && all_shadowless(children) {
             inner.skip |= OUTERMOST_ONLY;
@@ -300,7 +191,8 @@ impl Walk {
         object: &Object,
         outer: &Context,
     ) -> Result<Built, BuildError> {
-        let (clips, clip_box) = self.fences(&object.clips, outer)?;
+        let own_clips: &[Arc<Object>] = if is_patch(object) { &[] } else { &object.clips };
+        let (clips, clip_box) = self.fences(own_clips, outer)?;
         let (bounds, bound_box) = match self.keeps_bounds(object, outer) {
             true => self.fences(&object.bounds, outer)?,
             false => (Vec::new(), Aabb::INFINITE),
@@ -329,9 +221,8 @@ impl Walk {
         built: Built,
         members: &mut Vec<Built>,
     ) -> Result<(), BuildError> {
-        // Patches do not obey their own clips (shapes spec, section 1.4).
-        let patch = matches!(&object.kind, ObjectKind::Shape(s) if matches!(**s, Shape::BicubicPatch { .. }));
-        if (object.clips.is_empty() || patch) && !self.keeps_bounds(object, outer) {
+        let clipped = !object.clips.is_empty() && !is_patch(object);
+        if !clipped && !self.keeps_bounds(object, outer) {
             members.push(built);
             return Ok(());
         }
@@ -399,17 +290,6 @@ impl Walk {
     }
 }
 
-/// What is left of an operation once inversion has gone down to the members.
-fn effective(csg: Csg, inverted: bool) -> Op {
-    match (csg, inverted) {
-        (Csg::Union, false) => Op::Union,
-        (Csg::Merge, false) => Op::Merge,
-        (Csg::Union | Csg::Merge, true) => Op::Intersection,
-        (_, false) => Op::Intersection,
-        (_, true) => Op::Merge,
-    }
-}
-
 /// Boxes of the surface, of the inside and of the outside of a group.
 fn combined_boxes(op: Op, members: &[Built]) -> (Aabb, Aabb, Aabb) {
     let any = |pick: fn(&Built) -> Aabb| members.iter().fold(Aabb::EMPTY, |all, m| all.union(&pick(m)));
@@ -445,35 +325,7 @@ fn group(op: Op, built: &[Built], clips: Vec<NodeRef>, bounds: Vec<NodeRef>) -> 
     }
 }
 
-fn skip_bits(object: &Object) -> u8 {
-    let bit = |on: bool, class: RayClass| if on { class.bit() } else { 0 };
-    bit(object.no_shadow, RayClass::Shadow)
-        | bit(object.no_image, RayClass::Camera)
-        | bit(object.no_reflection, RayClass::Reflected)
-        | bit(object.no_radiosity, RayClass::Radiosity)
-}
-
-/// A union all of whose members cast no shadow casts none itself.
-fn all_shadowless(children: &[Arc<Object>]) -> bool {
-    let mut objects = children.iter().filter(|c| !matches!(c.kind, ObjectKind::Light(_))).peekable();
-    objects.peek().is_some()
-        && objects.all(|c| {
-            c.no_shadow
-                || match &c.kind {
-                    ObjectKind::Csg { op: Csg::Union, children }
-                    | ObjectKind::LightGroup { children, .. } => all_shadowless(children),
-                    _ => false,
-                }
-        })
-}
-
-/// Photon switches go down to every descendant and cannot be taken back.
-fn inherit_photons(own: PhotonFlags, outer: PhotonFlags) -> PhotonFlags {
-    PhotonFlags {
-        target: outer.target.or(own.target),
-        reflection: outer.reflection.or(own.reflection),
-        refraction: outer.refraction.or(own.refraction),
-        pass_through: outer.pass_through || own.pass_through,
-        collect: outer.collect.or(own.collect),
-    }
+/// Bicubic patches do not obey their own clips (shapes spec, section 1.4).
+fn is_patch(object: &Object) -> bool {
+    matches!(&object.kind, ObjectKind::Shape(s) if matches!(**s, Shape::BicubicPatch { .. }))
 }

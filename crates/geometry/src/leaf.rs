@@ -48,12 +48,32 @@ struct LocalRay {
     stretch: f64,
 }
 
+/// How often a hit may come back that rounding has put on the edge of the range.
+const ROUNDING_TRIES: usize = 8;
+
 impl LocalRay {
     #[inline]
     fn new(ray: &Ray, object_from_world: &Affine) -> Self {
         let local = ray.transformed(object_from_world);
         let stretch = local.dir.length();
         LocalRay { ray: Ray::new(local.origin, local.dir / stretch), stretch }
+    }
+
+    /// The nearest hit within a range of world distances. Rounding on the way to local distances and back must not
+    /// let a hit through that the range shuts out.
+    #[inline]
+    fn closest(&self, shape: &ShapeKind, range: (f64, f64)) -> Option<LocalHit> {
+        let mut local_range = self.range(range);
+        for _ in 0..ROUNDING_TRIES {
+            let hit = shape.closest(&self.ray, local_range)?;
+            let t = hit.t / self.stretch;
+            if t > range.0 {
+                return (t < range.1).then_some(hit);
+            }
+            // Some shapes keep their distances only to within rounding.
+            local_range.0 = hit.t.max(local_range.0) * (1.0 + 4.0 * f64::EPSILON);
+        }
+        None
     }
 
     #[inline]
@@ -75,7 +95,7 @@ impl Leaves {
             Prim::World(s) => self.shapes[s as usize].closest(ray, range).map(|local| at(local.t, local)),
             Prim::Placed { shape, place } => {
                 let local = LocalRay::new(ray, &self.places[place as usize]);
-                let hit = self.shapes[shape as usize].closest(&local.ray, local.range(range))?;
+                let hit = local.closest(&self.shapes[shape as usize], range)?;
                 Some(at(hit.t / local.stretch, hit))
             }
         }
@@ -107,12 +127,10 @@ impl Leaves {
                 local.stretch
             }
         };
-        out.extend(buffer.drain(start..).map(|local| Hit {
-            t: local.t / stretch,
-            leaf: index,
-            inverted: leaf.inverted,
-            local,
-        }));
+        let inverted = leaf.inverted;
+        let world =
+            buffer.drain(start..).map(|local| Hit { t: local.t / stretch, leaf: index, inverted, local });
+        out.extend(world.filter(|hit| hit.t > range.0 && hit.t < range.1));
     }
 
     /// Is the point in the leaf, its inversion counted?

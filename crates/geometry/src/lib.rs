@@ -5,6 +5,7 @@
 
 mod flatten;
 mod index;
+mod inherit;
 mod leaf;
 mod materials;
 mod shape_pool;

@@ -13,6 +13,7 @@ pub(crate) struct Materials {
     pub(crate) materials: Vec<Material>,
     pub(crate) textures: Vec<PlacedTexture>,
     pub(crate) interiors: Vec<InteriorInfo>,
+    default_interior: Arc<Interior>,
     material_ids: FxHashMap<MaterialKey, MaterialId>,
     texture_ids: FxHashMap<TextureKey, TextureId>,
 }
@@ -45,6 +46,12 @@ impl Materials {
             hollow: false,
         });
         InteriorId(self.interiors.len() as u32 - 1)
+    }
+
+    /// A new interior of an object that names none.
+    pub(crate) fn private_interior(&mut self) -> InteriorId {
+        let interior = Placed::new(self.default_interior.clone());
+        self.interior(&interior, &Affine::IDENTITY)
     }
 
     /// The id of a material; equal ones share it.

@@ -34,6 +34,10 @@ pub enum RayClass {
     Radiosity,
     /// Towards a light: skips `no_shadow`.
     Shadow,
+    /// A photon that no surface has reflected: skips `no_shadow` and `no_image`.
+    Photon,
+    /// A photon with a reflection in its history: skips `no_shadow` and `no_reflection`.
+    ReflectedPhoton,
     /// `trace` and inside questions: skips nothing.
     Any,
 }
@@ -46,6 +50,8 @@ impl RayClass {
             RayClass::Reflected => 2,
             RayClass::Radiosity => 4,
             RayClass::Shadow => 8,
+            RayClass::Photon => 8 | 1,
+            RayClass::ReflectedPhoton => 8 | 2,
             RayClass::Any => 0,
         }
     }
@@ -240,6 +246,11 @@ impl Geometry {
         });
         SCRATCH.set(scratch);
         best
+    }
+
+    /// The material at a hit.
+    pub fn material_at(&self, hit: &Hit) -> MaterialId {
+        self.tree.leaves.leaves[hit.leaf as usize].material
     }
 
     /// The material of a leaf whose textures are that material's alone; `None` where parts of the leaf have their own.

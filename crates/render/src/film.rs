@@ -5,9 +5,9 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use rayon::prelude::*;
 
 use crate::api::{Film, Options, Region};
-use crate::radiosity;
 use crate::sampler::Sampler;
 use crate::world::World;
+use crate::{photons, radiosity};
 
 /// Side of a tile in pixels. Anti-aliasing knows no neighbours beyond its tile, so that the picture depends on it.
 const TILE: usize = 32;
@@ -80,14 +80,15 @@ impl World {
         cancel: &AtomicBool,
         progress: &(dyn Fn(usize, usize) + Sync),
     ) -> Vec<Vec<Pixel>> {
-        let cache = radiosity::pretrace(self, options, tiles, stack, cancel);
+        let photons = photons::shoot(self, options, stack, cancel);
+        let cache = radiosity::pretrace(self, options, &photons, tiles, stack, cancel);
         let (done, total) = (AtomicUsize::new(0), tiles.iter().map(Tile::area).sum());
         let render = |tile: &Tile| {
             if cancel.load(Ordering::Relaxed) {
                 return Vec::new();
             }
             let radiosity = self.radiosity.as_ref().map(|rules| radiosity::State::new(rules, &cache, false));
-            let pixels = Sampler::new(self, options, stack, radiosity).tile(tile);
+            let pixels = Sampler::new(self, options, stack, radiosity, &photons).tile(tile);
             progress(done.fetch_add(tile.area(), Ordering::Relaxed) + tile.area(), total);
             pixels
         };

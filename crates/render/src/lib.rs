@@ -11,10 +11,18 @@ mod film;
 mod integrator;
 mod lights;
 mod media;
+mod photons;
 mod radiosity;
 mod sampler;
 mod sampling;
+mod subsurface;
 mod world;
 
 pub use api::{Antialias, AntialiasMethod, Film, Options, Region};
 pub use world::World;
+
+#[cfg(test)]
+extern crate self as raggio_render;
+#[cfg(test)]
+#[path = "../tests/stage/mod.rs"]
+mod stage;

@@ -7,6 +7,7 @@ use crate::api::{AntialiasMethod, Options};
 use crate::camera::{Frame, Lens};
 use crate::film::{Pixel, Tile};
 use crate::integrator::{Beam, Quality, Tracer};
+use crate::photons::{self, PhotonMap};
 use crate::radiosity;
 use crate::sampling::Streams;
 use crate::world::World;
@@ -28,10 +29,13 @@ impl<'w> Sampler<'w> {
         options: &'w Options,
         stack: usize,
         radiosity: Option<radiosity::State<'w>>,
+        photons: &'w PhotonMap,
     ) -> Self {
         let max_level = options.max_trace_level.unwrap_or(world.rules.max_trace_level).clamp(1, 256);
         let mut tracer = Tracer::new(world, Quality::new(options.quality), max_level, stack);
-        tracer.radiosity = radiosity.filter(|_| tracer.quality.radiosity());
+        tracer.radiosity = radiosity.filter(|_| tracer.quality.global_light());
+        let plan = world.photons.as_ref().filter(|_| !photons.is_empty());
+        tracer.photons = plan.map(|plan| photons::State::new(photons, plan));
         let frame = Frame { width: options.width as f64, height: options.height as f64 };
         Sampler { tracer, options, frame }
     }

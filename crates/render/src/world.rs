@@ -4,7 +4,7 @@ use std::sync::Arc;
 use raggio_geometry::{BuildError, Geometry, Hit, Interaction, InteriorId, Material, TextureId};
 use raggio_image::Rgb;
 use raggio_math::{Affine, Vec3};
-use raggio_scene::{GammaMode, Interior, Object, ObjectKind, Scene};
+use raggio_scene::{GammaMode, Interior, PhotonFlags, Scene};
 use raggio_shading::{Noise, Texture};
 use rustc_hash::FxHashMap;
 
@@ -12,7 +12,7 @@ use crate::atmosphere::Sky;
 use crate::camera::Camera;
 use crate::lights::{LightSets, LightSource};
 use crate::media::MediaList;
-use crate::radiosity;
+use crate::{photons, radiosity, subsurface};
 
 /// A scene made ready for rays.
 pub struct World {
@@ -32,6 +32,10 @@ pub struct World {
     pub(crate) rules: Rules,
     /// Diffuse light between surfaces.
     pub(crate) radiosity: Option<radiosity::Rules>,
+    /// What photons are shot at.
+    pub(crate) photons: Option<photons::Plan>,
+    /// Light under surfaces.
+    pub(crate) subsurface: Option<subsurface::Rules>,
     /// Does any interior or empty space have media?
     pub(crate) any_media: bool,
 }
@@ -57,6 +61,8 @@ pub(crate) struct WorldInterior {
     pub ior: f64,
     pub dispersion: f64,
     pub media: MediaList,
+    /// For subsurface light, where the scene has it.
+    pub albedo: Option<Arc<subsurface::Albedo>>,
 }
 
 /// The global settings that shading asks for.
@@ -85,7 +91,7 @@ impl World {
         let rules = Rules::new(scene);
         let geometry = Geometry::build(scene)?;
         let textures = compile_textures(&geometry, rules.noise);
-        let interiors = compile_interiors(&geometry, &rules);
+        let interiors = compile_interiors(&geometry, &rules, scene.settings.subsurface.is_some());
         let lights = geometry
             .lights
             .iter()
@@ -96,6 +102,8 @@ impl World {
         Ok(World {
             light_sets: LightSets::new(&geometry),
             radiosity: radiosity_rules(scene, &geometry),
+            photons: photons::Plan::new(scene)?,
+            subsurface: subsurface::Rules::new(&scene.settings),
             camera: Camera::build(&scene.camera, rules.noise, &geometry)?,
             sky: Sky::new(scene, rules.noise),
             opaque: opaque_materials(&geometry, &textures),
@@ -112,13 +120,11 @@ impl World {
     /// The effects of a scene that are not built yet and would be left out of its picture.
     pub fn unsupported(scene: &Scene) -> Vec<&'static str> {
         let mut missing = Vec::new();
-        if scene.settings.photons.as_ref().is_some_and(|p| p.gather_max > 0)
-            && scene.objects.iter().any(|o| any_object(o, &|o| o.photons.target.is_some()))
-        {
-            missing.push("photons");
+        if photons::Plan::in_media(scene) {
+            missing.push("photons in media");
         }
-        if scene.settings.subsurface.is_some() {
-            missing.push("subsurface light");
+        if scene.settings.subsurface.is_some_and(|s| s.radiosity) && scene.settings.radiosity.is_some() {
+            missing.push("radiosity of subsurface light");
         }
         missing
     }
@@ -138,6 +144,12 @@ impl World {
     /// Does the surface at a hit stop all light?
     pub(crate) fn stops_light(&self, hit: &Hit) -> bool {
         self.geometry.plain_material(hit.leaf).is_some_and(|material| self.opaque[material.0 as usize])
+    }
+
+    /// Do photons bring what a surface lets through of a light?
+    pub(crate) fn photons_replace(&self, hit: &Hit, light: &PhotonFlags) -> bool {
+        let material = &self.geometry.materials[self.geometry.material_at(hit).0 as usize];
+        photons::replaces_light(&material.photons, light)
     }
 
     /// Do all these interiors let fog and media show?
@@ -191,12 +203,19 @@ fn opaque_materials(geometry: &Geometry, textures: &[WorldTexture]) -> Vec<bool>
     geometry.materials.iter().map(all).collect()
 }
 
-fn compile_interiors(geometry: &Geometry, rules: &Rules) -> Vec<WorldInterior> {
+fn compile_interiors(geometry: &Geometry, rules: &Rules, subsurface: bool) -> Vec<WorldInterior> {
+    let mut known = FxHashMap::default();
+    let mut albedo = |ior: f64| {
+        let new = || Arc::new(subsurface::Albedo::new(ior));
+        known.entry(ior.to_bits()).or_insert_with(new).clone()
+    };
     let compile = |info: &raggio_geometry::InteriorInfo| {
         let interior = info.interior.clone();
+        let ior = if interior.ior == 0.0 { rules.air_ior } else { f64::from(interior.ior) };
         WorldInterior {
             hollow: info.hollow,
-            ior: if interior.ior == 0.0 { rules.air_ior } else { f64::from(interior.ior) },
+            ior,
+            albedo: subsurface.then(|| albedo(ior)),
             dispersion: f64::from(interior.dispersion),
             media: MediaList::new(&interior.media, &info.world_from_interior, rules.noise),
             interior,
@@ -214,14 +233,4 @@ fn radiosity_rules(scene: &Scene, geometry: &Geometry) -> Option<radiosity::Rule
             .any(|m| m.radiosity_importance.is_some_and(|importance| importance < 1.0));
     let settings = scene.settings.radiosity.as_ref()?;
     Some(radiosity::Rules::new(settings, scene.camera.location, default, uneven))
-}
-
-fn any_object(object: &Object, test: &impl Fn(&Object) -> bool) -> bool {
-    test(object)
-        || match &object.kind {
-            ObjectKind::Csg { children, .. } | ObjectKind::LightGroup { children, .. } => {
-                children.iter().any(|child| any_object(child, test))
-            }
-            ObjectKind::Shape(_) | ObjectKind::Light(_) => false,
-        }
 }

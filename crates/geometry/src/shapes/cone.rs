@@ -56,7 +56,7 @@ impl Cone {
         (h, v - self.axis * h)
     }
 
-    /// All hits of the infinite ray within the range.
+    /// All hits within the range.
     #[inline]
     fn all(&self, ray: &Ray, range: (f64, f64)) -> Hits {
         let mut out = Hits::new();
@@ -67,32 +67,32 @@ impl Cone {
         let shift = (self.base + self.axis * (0.5 * self.length) - ray.origin).dot(ray.dir);
         let (oh, offset) = self.split(ray.at(shift) - self.base);
         let (dh, across) = self.split(ray.dir);
-        let range = (range.0 - shift, range.1 - shift);
-        self.side(oh, offset, dh, across, range, &mut out);
+        self.side(oh, offset, dh, across, &mut out);
         if !self.open && dh.abs() > EPS {
             for (height, radius, part) in [(0.0, self.base_radius, BASE), (self.length, self.cap_radius, CAP)]
             {
                 let t = (height - oh) / dh;
                 let there = (offset + across * t).length_squared() <= radius * radius;
-                if t > range.0 && t < range.1 && there {
+                if there {
                     out.push(LocalHit { part, ..LocalHit::at(t) });
                 }
             }
         }
         out.iter_mut().for_each(|hit| hit.t += shift);
+        out.retain(|hit| hit.t > range.0 && hit.t < range.1);
         out
     }
 
     /// Hits of the side: where the distance from the axis is the radius at that height.
     #[inline]
-    fn side(&self, oh: f64, offset: Vec3, dh: f64, across: Vec3, range: (f64, f64), out: &mut Hits) {
+    fn side(&self, oh: f64, offset: Vec3, dh: f64, across: Vec3, out: &mut Hits) {
         let (r, grow) = (self.base_radius + self.slope * oh, self.slope * dh);
         let a = across.length_squared() - grow * grow;
         let b = offset.dot(across) - r * grow;
         let c = offset.length_squared() - r * r;
         let mut push = |t: f64| {
             let h = oh + t * dh;
-            if t > range.0 && t < range.1 && h >= 0.0 && h <= self.length {
+            if h >= 0.0 && h <= self.length {
                 out.push(LocalHit { part: SIDE, ..LocalHit::at(t) });
             }
         };

@@ -72,7 +72,7 @@ impl Quadric {
             return Some((t, t));
         }
         let discriminant = b * b - a * c;
-        if !(discriminant > 0.0) {
+        if discriminant <= 0.0 || discriminant.is_nan() {
             return None;
         }
         let q = -(b + discriminant.sqrt().copysign(b));

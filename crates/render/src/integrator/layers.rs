@@ -24,6 +24,8 @@ struct Stack {
     n_top: Vec3,
     /// Diffuse light from other surfaces before and behind, found once for all layers.
     around: [Option<Rgb>; 2],
+    /// The radius of the photons gathered, found once for all layers.
+    photons: Option<f64>,
     mirrors: SmallVec<[Mirror; 2]>,
 }
 
@@ -47,6 +49,7 @@ impl Tracer<'_> {
             colored: false,
             n_top: point.n,
             around: [None; 2],
+            photons: None,
             mirrors: SmallVec::new(),
         };
         for (i, layer) in layers.iter().rev().enumerate() {
@@ -96,9 +99,13 @@ impl Tracer<'_> {
         }
         let lit = match &self.radiosity {
             Some(state) if state.skips_lights() => Rgb::ZERO,
-            _ => self.local_light(point, finish, n, color.rgb, opacity),
+            _ => self.light_of_lights(point, finish, n, color.rgb, opacity),
         };
-        stack.light += stack.filter * (tint * own + lit);
+        let thrown = match &self.photons {
+            Some(_) => self.photon_light(point, finish, n, color.rgb, opacity, &mut stack.photons),
+            None => Rgb::ZERO,
+        };
+        stack.light += stack.filter * (tint * own + lit + thrown);
         if found.is_some() {
             stack.colored = true;
             stack.filter *= color.transmission();
@@ -110,6 +117,28 @@ impl Tracer<'_> {
             stack.mirrors.push(mirror);
         }
         stack.through = grey(stack.filter).abs().min(1.0);
+    }
+
+    /// What a layer sends back of the light of lights. Light from under the surface takes the place of diffuse light.
+    fn light_of_lights(
+        &mut self,
+        point: &SurfacePoint<'_>,
+        finish: &Finish,
+        n: Vec3,
+        rgb: Rgb,
+        opacity: f32,
+    ) -> Rgb {
+        let below = match finish.subsurface {
+            Some(_) => self.light_from_below(point, finish, n, rgb),
+            None => None,
+        };
+        match below {
+            Some(below) => {
+                let shiny = Finish { diffuse: 0.0, diffuse_back: 0.0, ..*finish };
+                below + self.local_light(point, &shiny, n, rgb, opacity)
+            }
+            None => self.local_light(point, finish, n, rgb, opacity),
+        }
     }
 
     /// What a layer sends back of the light of other surfaces, before it is tinted.

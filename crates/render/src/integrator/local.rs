@@ -71,15 +71,16 @@ impl Tracer<'_> {
         source: &LightSource,
     ) -> Rgb {
         let path = source.path(point.surface.p);
-        let Some(back) = facing(point, lit, &path) else { return Rgb::ZERO };
+        let Some(back) = facing(point, lit, path.dir) else { return Rgb::ZERO };
+        let collects = point.material.photons.collect.unwrap_or(true);
         let light = self.arriving_once(point, i, |tracer| {
             let bare = source.arriving(point.surface.p, &path, source.position);
-            tracer.after_shadows(source, point.surface.p, &path, bare, &point.beam.interiors)
+            tracer.after_shadows(source, point.surface.p, &path, bare, &point.beam.interiors, collects)
         });
         if light.abs().max_element() <= EPS as f32 {
             return Rgb::ZERO;
         }
-        let sum = self.answer(lit, source, light, &path, back);
+        let sum = self.answer(lit, light, path.dir, back, !source.shadowless);
         self.iridescent(point, lit, &path, sum)
     }
 
@@ -94,8 +95,9 @@ impl Tracer<'_> {
         let Some(grid) = &source.area else { return Rgb::ZERO };
         let p = point.surface.p;
         let centre = source.path(p);
+        let collects = point.material.photons.collect.unwrap_or(true);
         let shadowed = self.arriving_once(point, i, |tracer| {
-            tracer.after_shadows(source, p, &centre, source.color, &point.beam.interiors)
+            tracer.after_shadows(source, p, &centre, source.color, &point.beam.interiors, collects)
         });
         if shadowed.abs().max_element() <= EPS as f32 {
             return Rgb::ZERO;
@@ -107,19 +109,37 @@ impl Tracer<'_> {
             for u in 0..grid.size1 {
                 let from = source.position + grid.offset(axes, u, v, &mut self.streams.lights);
                 let path = source.path_to(p, from);
-                let Some(back) = facing(point, lit, &path) else { continue };
+                let Some(back) = facing(point, lit, path.dir) else { continue };
                 let light = each * source.attenuation(p, &path, from) as f32;
-                let answer = self.answer(lit, source, light, &path, back);
+                let answer = self.answer(lit, light, path.dir, back, !source.shadowless);
                 sum += self.iridescent(point, lit, &path, answer);
             }
         }
         sum
     }
 
-    /// Diffuse light and highlights of one light.
-    fn answer(&mut self, lit: &Lit<'_>, source: &LightSource, light: Rgb, path: &Path, back: bool) -> Rgb {
+    /// Light of photons that come from one direction.
+    pub(crate) fn lit_from(
+        &mut self,
+        point: &SurfacePoint<'_>,
+        finish: &Finish,
+        n: Vec3,
+        (rgb, opacity): (Rgb, f32),
+        dir: Vec3,
+        light: Rgb,
+    ) -> Rgb {
+        let highlights = point.beam.class != RayClass::Radiosity;
+        let lit = Lit { finish, n, rgb, opacity, view: point.beam.ray.dir, highlights };
+        match facing(point, &lit, dir) {
+            Some(back) => self.answer(&lit, light, dir, back, true),
+            None => Rgb::ZERO,
+        }
+    }
+
+    /// Diffuse light and, from `shiny` lights, highlights for light from a direction.
+    fn answer(&mut self, lit: &Lit<'_>, light: Rgb, dir: Vec3, back: bool, shiny: bool) -> Rgb {
         let finish = lit.finish;
-        let cosine = lit.n.dot(path.dir);
+        let cosine = lit.n.dot(dir);
         let mut sum = Rgb::ZERO;
         let diffuse = if back { finish.diffuse_back } else { finish.diffuse };
         if diffuse > 0.0 {
@@ -131,8 +151,8 @@ impl Tracer<'_> {
             }
             sum += lit.rgb * light * intensity;
         }
-        if lit.highlights && !source.shadowless && !back {
-            let strength = highlight(lit, path);
+        if lit.highlights && shiny && !back {
+            let strength = highlight(lit, dir);
             if strength != 0.0 {
                 let tint = match finish.metallic != 0.0 {
                     true => tinted(light, finish.metallic, cosine, lit.rgb),
@@ -171,27 +191,27 @@ impl Tracer<'_> {
 }
 
 /// Does light from this side count? `Some(true)` is light from behind.
-fn facing(point: &SurfacePoint<'_>, lit: &Lit<'_>, path: &Path) -> Option<bool> {
-    if point.material.double_illuminate || lit.n.dot(path.dir) >= EPS {
+fn facing(point: &SurfacePoint<'_>, lit: &Lit<'_>, dir: Vec3) -> Option<bool> {
+    if point.material.double_illuminate || lit.n.dot(dir) >= EPS {
         return Some(false);
     }
     (lit.finish.diffuse_back != 0.0).then_some(true)
 }
 
 /// The strength of `phong` and `specular` highlights together.
-fn highlight(lit: &Lit<'_>, path: &Path) -> f32 {
+fn highlight(lit: &Lit<'_>, dir: Vec3) -> f32 {
     let finish = lit.finish;
     let mut strength = 0.0;
     if finish.phong > 0.0 {
         let mirrored = lit.view - lit.n * (2.0 * lit.view.dot(lit.n));
-        let x = mirrored.dot(path.dir);
+        let x = mirrored.dot(dir);
         // Sharp highlights are cut where their power would be lost in rounding.
         if x > 0.0 && (finish.phong_size < 60.0 || x > 0.0008) {
             strength += finish.phong * x.powf(f64::from(finish.phong_size)) as f32;
         }
     }
     if finish.specular > 0.0 {
-        let halfway = (path.dir - lit.view) * 0.5;
+        let halfway = (dir - lit.view) * 0.5;
         let x = lit.n.dot(halfway) / halfway.length();
         if x > 0.0 {
             strength += finish.specular * x.powf(1.0 / f64::from(finish.roughness)) as f32;

@@ -3,8 +3,8 @@ mod dispersion;
 mod interiors;
 mod layers;
 mod local;
-mod reflection;
-mod refraction;
+pub(crate) mod reflection;
+pub(crate) mod refraction;
 pub(crate) mod surface;
 mod textures;
 
@@ -14,9 +14,9 @@ use raggio_math::{FAR, MIN_HIT, Ray};
 use smallvec::SmallVec;
 
 use crate::lights::AreaScratch;
-use crate::radiosity;
 use crate::sampling::Streams;
 use crate::world::World;
+use crate::{photons, radiosity};
 
 pub use interiors::toggle;
 pub(crate) use refraction::fade;
@@ -99,7 +99,7 @@ impl Quality {
     pub fn volume(self) -> bool {
         self.volume
     }
-    pub fn radiosity(self) -> bool {
+    pub fn global_light(self) -> bool {
         self.level >= 9
     }
 }
@@ -119,6 +119,10 @@ pub struct Tracer<'w> {
     pub(crate) bailout: f32,
     /// Diffuse light between surfaces, where the scene has it.
     pub radiosity: Option<radiosity::State<'w>>,
+    /// Photons, where the scene has them.
+    pub photons: Option<photons::State<'w>>,
+    /// How often light in work was scattered under surfaces.
+    pub(crate) scatter_depth: u32,
     /// Light that arrives at the surface points in work, by light, each once for all layers.
     arriving: Vec<Option<Rgb>>,
     pub(crate) area_scratch: AreaScratch,
@@ -139,6 +143,8 @@ impl<'w> Tracer<'w> {
             max_level,
             bailout: world.rules.bailout,
             radiosity: None,
+            photons: None,
+            scatter_depth: 0,
             arriving: Vec::new(),
             area_scratch: AreaScratch::default(),
             stack_base: stack_position(),
@@ -148,8 +154,7 @@ impl<'w> Tracer<'w> {
 
     /// What a ray sees. `continued` rays go straight on through a surface and use up no level.
     pub fn trace(&mut self, beam: &Beam, continued: bool) -> Seen {
-        let spent = self.stack_base.abs_diff(stack_position()) > self.stack_allowance;
-        if self.level >= self.max_level || beam.weight < self.bailout || spent {
+        if self.level >= self.max_level || beam.weight < self.bailout || self.stack_is_spent() {
             return Seen::BLACK;
         }
         let hit = self.world.geometry.closest(&beam.ray, (MIN_HIT, beam.reach), beam.class);
@@ -169,6 +174,11 @@ impl<'w> Tracer<'w> {
             self.atmosphere(beam, hit, &mut seen);
         }
         seen
+    }
+
+    /// Is there no room for one more ray?
+    pub(crate) fn stack_is_spent(&self) -> bool {
+        self.stack_base.abs_diff(stack_position()) > self.stack_allowance
     }
 
     /// Rainbows, media of empty space and fog over the way to the hit.

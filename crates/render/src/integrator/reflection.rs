@@ -9,7 +9,7 @@ use super::surface::SurfacePoint;
 use super::{Beam, Tracer};
 
 /// A layer's reflection, put off until all layers are known.
-pub(super) struct Mirror {
+pub struct Mirror {
     /// The layer's normal.
     pub n: Vec3,
     /// What part of each colour is reflected.
@@ -20,7 +20,7 @@ pub(super) struct Mirror {
 
 impl Tracer<'_> {
     /// What a layer will mirror; `None` where it has no reflection at all.
-    pub(super) fn mirror(
+    pub(crate) fn mirror(
         &self,
         point: &SurfacePoint<'_>,
         finish: &Finish,
@@ -58,16 +58,27 @@ impl Tracer<'_> {
         }
         let beam = reflected(point, mirror.n, mirror.weight);
         let rgb = self.trace(&beam, false).rgb;
+        mirror.apply(rgb)
+    }
+}
+
+impl Mirror {
+    /// What is left of light after the mirror.
+    pub fn apply(&self, light: Rgb) -> Rgb {
         let raised =
-            if mirror.exponent == 1.0 { rgb } else { rgb.max(Rgb::ZERO).powf(1.0 / mirror.exponent) };
-        mirror.reflectivity * raised
+            if self.exponent == 1.0 { light } else { light.max(Rgb::ZERO).powf(1.0 / self.exponent) };
+        self.reflectivity * raised
     }
 }
 
 /// The ray that a surface mirrors.
-pub(super) fn reflected<'a>(point: &SurfacePoint<'a>, n: Vec3, weight: f32) -> Beam {
+pub(crate) fn reflected(point: &SurfacePoint<'_>, n: Vec3, weight: f32) -> Beam {
     let beam = point.beam;
-    let class = if beam.class == RayClass::Camera { RayClass::Reflected } else { beam.class };
+    let class = match beam.class {
+        RayClass::Camera => RayClass::Reflected,
+        RayClass::Photon => RayClass::ReflectedPhoton,
+        other => other,
+    };
     Beam {
         ray: Ray::new(point.surface.p, reflected_direction(beam.ray.dir, n, point.n)),
         interiors: beam.interiors.clone(),
@@ -107,7 +118,7 @@ fn grazing(cosine: f64, falloff: f32) -> f64 {
 
 /// The part of unpolarised light that a dielectric reflects (Fresnel's equations in the form of Cook and Torrance
 /// 1982); 1 beyond the critical angle.
-pub(super) fn fresnel(index: f64, cosine: f64) -> f64 {
+pub(crate) fn fresnel(index: f64, cosine: f64) -> f64 {
     let s = index * index + cosine * cosine - 1.0;
     if s <= 0.0 {
         return 1.0;

@@ -8,7 +8,7 @@ use super::interiors::Crossing;
 use super::reflection::reflected;
 use super::surface::SurfacePoint;
 use super::{Beam, Seen, Tracer};
-use crate::world::WorldInterior;
+use crate::world::{World, WorldInterior};
 
 /// What lies behind a surface.
 pub(super) struct Behind {
@@ -17,60 +17,65 @@ pub(super) struct Behind {
     pub total: bool,
 }
 
+/// A ray on its way behind a surface.
+pub struct Bent {
+    /// The ray.
+    pub beam: Beam,
+    /// Its part of each colour.
+    pub hue: Rgb,
+    /// Its part of the whole.
+    pub share: f32,
+    /// Was it reflected instead, beyond the critical angle?
+    pub total: bool,
+    /// Does it go straight on?
+    straight: bool,
+}
+
 impl Tracer<'_> {
     /// Follows the ray through the surface.
     pub(super) fn refract(&mut self, point: &SurfacePoint<'_>, n: Vec3, weight: f32) -> Behind {
-        let crossing = self.world.cross(&point.beam.interiors, point.material.interior);
+        let mut behind = Behind { seen: Seen::BLACK, total: false };
+        let world = self.world;
+        world.bend(point, n, weight, &mut |bent| {
+            let seen = self.trace(&bent.beam, bent.straight);
+            behind.seen.rgb += seen.rgb * bent.hue;
+            behind.seen.transmit += seen.transmit * bent.share;
+            behind.total = bent.total && bent.share == 1.0;
+        });
+        behind
+    }
+}
+
+impl World {
+    /// Calls `each` with the ray behind a surface, or with many where colours part.
+    pub(crate) fn bend(&self, point: &SurfacePoint<'_>, n: Vec3, weight: f32, each: &mut dyn FnMut(Bent)) {
+        let crossing = self.cross(&point.beam.interiors, point.material.interior);
         let spreads = crossing.dispersion != 1.0;
+        let own = point.beam.wavelength;
         if (crossing.eta - 1.0).abs() < EPS && !spreads {
             let beam = through(point, point.beam.ray.dir, weight, &crossing);
-            return Behind { seen: self.trace(&beam, true), total: false };
+            return each(Bent { beam, hue: Rgb::ONE, share: 1.0, total: false, straight: true });
         }
-        if !spreads {
-            return self.bent(point, n, weight, &crossing, crossing.eta, point.beam.wavelength);
+        let mut one = |wavelength: Option<f64>, hue: Rgb, share: f32| {
+            let eta = match wavelength {
+                Some(wavelength) if spreads => dispersion::eta(&crossing, wavelength),
+                _ => crossing.eta,
+            };
+            let (mut beam, total) = match refracted_direction(point.beam.ray.dir, n, eta) {
+                Some(dir) => (through(point, dir, weight, &crossing), false),
+                None => (reflected(point, n, weight), true),
+            };
+            beam.wavelength = wavelength;
+            each(Bent { beam, hue, share, total, straight: false });
+        };
+        if !spreads || own.is_some() {
+            return one(own, Rgb::ONE, 1.0);
         }
-        match point.beam.wavelength {
-            Some(wavelength) => {
-                let eta = dispersion::eta(&crossing, wavelength);
-                self.bent(point, n, weight, &crossing, eta, Some(wavelength))
-            }
-            None => self.dispersed(point, n, weight, &crossing),
-        }
-    }
-
-    /// All colours, each bent by its own index.
-    fn dispersed(&mut self, point: &SurfacePoint<'_>, n: Vec3, weight: f32, crossing: &Crossing) -> Behind {
-        let mut sum = Seen::BLACK;
-        for i in 0..crossing.samples {
-            let (wavelength, hue) = dispersion::sample(i, crossing.samples);
-            let eta = dispersion::eta(crossing, wavelength);
-            let seen = self.bent(point, n, weight, crossing, eta, Some(wavelength)).seen;
-            sum.rgb += seen.rgb * hue;
-            sum.transmit += seen.transmit;
-        }
-        let share = 1.0 / crossing.samples.max(1) as f32;
-        Behind { seen: Seen { rgb: sum.rgb * share, transmit: sum.transmit * share }, total: false }
-    }
-
-    /// One bent ray, or the reflected one beyond the critical angle.
-    fn bent(
-        &mut self,
-        point: &SurfacePoint<'_>,
-        n: Vec3,
-        weight: f32,
-        crossing: &Crossing,
-        eta: f64,
-        wavelength: Option<f64>,
-    ) -> Behind {
-        match refracted_direction(point.beam.ray.dir, n, eta) {
-            Some(dir) => {
-                let beam = Beam { wavelength, ..through(point, dir, weight, crossing) };
-                Behind { seen: self.trace(&beam, false), total: false }
-            }
-            None => {
-                let beam = Beam { wavelength, ..reflected(point, n, weight) };
-                Behind { seen: self.trace(&beam, false), total: true }
-            }
+        let count = crossing.samples.max(1);
+        let share = 1.0 / count as f32;
+        for i in 0..count {
+            let (wavelength, hue) = dispersion::sample(i, count);
+            one(Some(wavelength), hue * share, share);
         }
     }
 }
@@ -88,7 +93,7 @@ fn through(point: &SurfacePoint<'_>, dir: Vec3, weight: f32, crossing: &Crossing
 }
 
 /// Snell's law for unit vectors; `None` is total reflection.
-fn refracted_direction(d: Vec3, n: Vec3, eta: f64) -> Option<Vec3> {
+pub(crate) fn refracted_direction(d: Vec3, n: Vec3, eta: f64) -> Option<Vec3> {
     let cosine = d.dot(n);
     let (c, m) = if cosine <= 0.0 { (-cosine, n) } else { (cosine, -n) };
     let t = 1.0 + eta * eta * (c * c - 1.0);

@@ -22,6 +22,8 @@ pub struct AreaGrid {
     orient: bool,
     /// Does every sample light the surface by its own direction?
     pub illumination: bool,
+    /// Do photons leave from all of it?
+    pub photons: bool,
 }
 
 impl AreaGrid {
@@ -37,6 +39,7 @@ impl AreaGrid {
             circular: (area.circular || area.orient) && area.size1 > 1 && area.size2 > 1,
             orient: area.orient,
             illumination: area.area_illumination,
+            photons: area.photons_area,
         }
     }
 
@@ -50,6 +53,12 @@ impl AreaGrid {
         let unit = |v: Vec3| v.try_normalize().unwrap_or(Vec3::X);
         let axis1 = unit(to_light.cross(helper)) * length;
         (axis1, unit(to_light.cross(axis1)) * length)
+    }
+
+    /// Where a grid point lies without jitter and roundness.
+    pub fn plain_offset(&self, u: u32, v: u32) -> Vec3 {
+        let place = |k: u32, n: u32| if n > 1 { f64::from(k) / f64::from(n - 1) - 0.5 } else { 0.0 };
+        self.axis1 * place(u, self.size1) + self.axis2 * place(v, self.size2)
     }
 
     /// Where grid point (u, v) lies from the light's centre. Jitter draws u first.

@@ -1,6 +1,6 @@
 //! How light thins out: cones, cylinders and distance (light spec, section 5.2).
 use raggio_image::Rgb;
-use raggio_math::{EPS, Vec3};
+use raggio_math::{EPS, Ray, Vec3};
 use raggio_scene::{self as scene, LightKind};
 
 use super::{LightSource, Path};
@@ -93,11 +93,30 @@ impl LightSource {
                 if along <= 0.0 { 0.0 } else { tube(away, radius, falloff, tightness) }
             }
         };
+        if narrowed > 0.0 { narrowed * self.fading(path.distance) } else { narrowed }
+    }
+
+    /// How the light fades over a way.
+    pub fn fading(&self, way: f64) -> f64 {
         match self.fade {
-            Some((distance, exponent)) if narrowed > 0.0 => {
-                narrowed * 2.0 / (1.0 + (path.distance / distance).abs().powf(exponent))
+            Some((distance, exponent)) => 2.0 / (1.0 + (way / distance).abs().powf(exponent)),
+            None => 1.0,
+        }
+    }
+
+    /// The part of the light that leaves along a ray, by the light's cone alone.
+    pub fn emission(&self, ray: &Ray, from: Vec3) -> f64 {
+        match self.cone {
+            Cone::None => 1.0,
+            Cone::Spot { cos_radius, cos_falloff, tightness } => {
+                let cosine = if self.parallel { 1.0 } else { ray.dir.dot(self.axis) };
+                spot(cosine, cos_radius, cos_falloff, tightness)
             }
-            _ => narrowed,
+            Cone::Cylinder { radius, falloff, tightness } => {
+                let offset = ray.origin - from;
+                let away = (offset - self.axis * offset.dot(self.axis)).length();
+                tube(away, radius, falloff, tightness)
+            }
         }
     }
 }

@@ -37,6 +37,8 @@ pub struct LightSource {
     pub media_interaction: bool,
     /// Do fog and atmospheric media dim it?
     pub media_attenuation: bool,
+    /// Photon switches.
+    pub photons: scene::PhotonFlags,
 }
 
 /// The way from a point to a light.
@@ -68,6 +70,7 @@ impl LightSource {
             projected_through: through.map(Box::new),
             media_interaction: light.media_interaction,
             media_attenuation: light.media_attenuation,
+            photons: light.photons,
         })
     }
 

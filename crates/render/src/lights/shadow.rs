@@ -11,7 +11,8 @@ use crate::integrator::{Interiors, NormalPath, Tracer, fade, for_each_plain, pla
 pub const SHADOW_TOLERANCE: f64 = 1e-3;
 
 impl Tracer<'_> {
-    /// What is left of `light` at `p` after everything between it and the source. Area lights give their mean.
+    /// What is left of `light` at `p` after everything between it and the source. Area lights give their mean. Where
+    /// photons count (`collects`), light through their targets is left to them.
     pub fn after_shadows(
         &mut self,
         source: &LightSource,
@@ -19,6 +20,7 @@ impl Tracer<'_> {
         path: &Path,
         light: Rgb,
         interiors: &Interiors,
+        collects: bool,
     ) -> Rgb {
         if light == Rgb::ZERO || !self.quality.shadows() {
             return light;
@@ -27,12 +29,12 @@ impl Tracer<'_> {
             return light;
         }
         let Some(grid) = source.area.as_ref().filter(|_| self.quality.area_lights()) else {
-            return self.walk_to_light(source, p, path, light, interiors);
+            return self.walk_to_light(source, p, path, light, interiors, collects);
         };
         let mut scratch = std::mem::take(&mut self.area_scratch);
         let mut random = self.streams.lights;
         let mean = area::average(source, grid, path.dir, &mut scratch, &mut random, |from| {
-            self.walk_to_light(source, p, &source.path_to(p, from), light, interiors)
+            self.walk_to_light(source, p, &source.path_to(p, from), light, interiors, collects)
         });
         self.area_scratch = scratch;
         self.streams.lights = random;
@@ -47,8 +49,12 @@ impl Tracer<'_> {
         path: &Path,
         mut light: Rgb,
         interiors: &Interiors,
+        collects: bool,
     ) -> Rgb {
         let world = self.world;
+        let replaced = collects && self.photons.is_some();
+        let stops =
+            |hit: &Hit| world.stops_light(hit) || (replaced && world.photons_replace(hit, &source.photons));
         let mut ray = Ray::new(p, path.dir);
         let mut left = path.distance;
         if let Some(window) = &source.projected_through {
@@ -63,9 +69,8 @@ impl Tracer<'_> {
         let mut list: Option<Interiors> = None;
         while left > 2.0 * SHADOW_TOLERANCE {
             let range = (SHADOW_TOLERANCE, left - SHADOW_TOLERANCE);
-            let stops = |hit: &Hit| world.stops_light(hit);
             let Some(hit) = world.geometry.blocker(&ray, range, RayClass::Shadow, stops) else { break };
-            if world.stops_light(&hit) {
+            if stops(&hit) {
                 return Rgb::ZERO;
             }
             let surface = world.geometry.interaction(&ray, &hit);

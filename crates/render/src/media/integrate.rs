@@ -172,7 +172,8 @@ impl Tracer<'_> {
             let source = &self.world.lights[light as usize];
             let path = source.path(p);
             let bare = source.arriving(p, &path, source.position);
-            let light = self.after_shadows(source, p, &path, bare, along.interiors);
+            let collects = along.media.iter().any(|m| m.collect);
+            let light = self.after_shadows(source, p, &path, bare, along.interiors, collects);
             if light != Rgb::ZERO {
                 glow += scattered * light * mean_phase(&along.media, path.dir.dot(along.ray.dir));
             }

@@ -30,6 +30,8 @@ pub struct Medium {
     densities: Vec<(Pigment, Affine)>,
     /// Is the density the same everywhere?
     even: bool,
+    /// Do photons count in it?
+    collect: bool,
     sampling: Sampling,
 }
 
@@ -83,6 +85,7 @@ impl Medium {
             scattering: media.scattering,
             even: media.densities.iter().all(plain),
             densities,
+            collect: media.collect,
             sampling: Sampling::new(media),
         }
     }

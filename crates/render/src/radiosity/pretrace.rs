@@ -7,6 +7,7 @@ use rayon::prelude::*;
 use super::{Cache, State};
 use crate::api::Options;
 use crate::film::Tile;
+use crate::photons::PhotonMap;
 use crate::sampler::Sampler;
 use crate::world::World;
 
@@ -15,6 +16,7 @@ use crate::world::World;
 pub fn pretrace(
     world: &World,
     options: &Options,
+    photons: &PhotonMap,
     tiles: &[Tile],
     stack: usize,
     cancel: &AtomicBool,
@@ -35,7 +37,7 @@ pub fn pretrace(
             if let Some(cursors) = cursors.get(group) {
                 state.cursors.clone_from(cursors);
             }
-            let mut sampler = Sampler::new(world, options, stack, Some(state));
+            let mut sampler = Sampler::new(world, options, stack, Some(state), photons);
             for (number, tile) in tiles.iter().enumerate().skip(group).step_by(groups) {
                 if !cancel.load(Ordering::Relaxed) {
                     grid(tile, number, pass, step, &mut |x, y| sampler.look(x, y));

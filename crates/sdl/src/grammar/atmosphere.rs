@@ -4,7 +4,6 @@ use std::sync::Arc;
 use raggio_math::Vec3;
 use raggio_scene::{
     Background, Color, Fog, FogKind, PatternKind, Pigment, PigmentKind, Placed, Rainbow, Rgb, SkySphere,
-    Turbulence,
 };
 
 use super::util::{at_color, color, float, set, set_rgb, set_vec3, take, word};
@@ -29,7 +28,11 @@ pub fn statement(p: &mut Parser) -> Result<bool> {
         }
         Kw::Sky_sphere => {
             if p.scene.atmosphere.sky_sphere.is_some() {
-                p.warn("second-sky-sphere", "only one sky_sphere counts; this one replaces the one before", span);
+                p.warn(
+                    "second-sky-sphere",
+                    "only one sky_sphere counts; this one replaces the one before",
+                    span,
+                );
             }
             p.scene.atmosphere.sky_sphere = Some(sky_sphere(p)?);
         }
@@ -68,8 +71,13 @@ struct FogDraft {
 
 /// `{ ... }` of a fog; the word has been read.
 pub fn fog(p: &mut Parser) -> Result<Fog> {
-    let fog =
-        Fog { kind: FogKind::Constant, color: Color::BLACK, distance: 0.0, turbulence: None, turb_depth: 0.5 };
+    let fog = Fog {
+        kind: FogKind::Constant,
+        color: Color::BLACK,
+        distance: 0.0,
+        turbulence: None,
+        turb_depth: 0.5,
+    };
     let mut draft = FogDraft { fog, ground: false, offset: 0.0, alt: 0.0, up: Vec3::Y };
     p.block("fog", |p| fog_item(p, &mut draft))?;
     let FogDraft { mut fog, ground, offset, alt, up } = draft;
@@ -124,7 +132,7 @@ fn fog_word(p: &mut Parser, draft: &mut FogDraft, key: Kw) -> Result<bool> {
         Kw::Up => set_vec3(p, &mut draft.up),
         Kw::Turb_depth => set(p, &mut draft.fog.turb_depth),
         _ => {
-            let mut turbulence = draft.fog.turbulence.unwrap_or(Turbulence::default());
+            let mut turbulence = draft.fog.turbulence.unwrap_or_default();
             let known = warp::turbulence_item(p, &mut turbulence)?;
             if known {
                 draft.fog.turbulence = Some(turbulence);
@@ -205,8 +213,7 @@ fn rainbow_item(p: &mut Parser, r: &mut Rainbow) -> Result<bool> {
             p.next()?;
             let map = maps::color_map(p)?;
             let pattern = pattern::Draft::default().finish(PatternKind::Gradient(Vec3::X));
-            r.pigment =
-                Arc::new(Pigment { kind: PigmentKind::ColorMap { pattern, map }, quick_color: None });
+            r.pigment = Arc::new(Pigment { kind: PigmentKind::ColorMap { pattern, map }, quick_color: None });
             Ok(true)
         }
         _ => p.accept_punct(','),

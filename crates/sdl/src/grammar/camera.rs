@@ -94,7 +94,11 @@ impl Draft {
             CameraKind::Perspective | CameraKind::Orthographic => {
                 if angle >= 180.0 {
                     let span = p.span();
-                    return p.error("bad-angle", "the angle of this camera must be less than 180 degrees", span);
+                    return p.error(
+                        "bad-angle",
+                        "the angle of this camera must be less than 180 degrees",
+                        span,
+                    );
                 }
                 if angle != 0.0 {
                     let length = camera.right.length() / (2.0 * (angle.to_radians() / 2.0).tan());
@@ -113,14 +117,22 @@ impl Draft {
         let span = p.span();
         let towards = at - camera.location;
         if towards.length_squared() < EPS {
-            return p.error("bad-look-at", "the camera's location and look_at point must not be the same", span);
+            return p.error(
+                "bad-look-at",
+                "the camera's location and look_at point must not be the same",
+                span,
+            );
         }
         let lengths = (camera.direction.length(), camera.up.length(), camera.right.length());
         let left_handed = camera.up.cross(camera.direction).dot(camera.right) > 0.0;
         let d = towards.normalize();
         let mut r = self.sky.cross(d);
         if r.abs().max_element() < EPS {
-            p.warn("parallel-look-at", "look_at lies along the sky vector; the old right vector is kept", span);
+            p.warn(
+                "parallel-look-at",
+                "look_at lies along the sky vector; the old right vector is kept",
+                span,
+            );
             r = camera.right;
         }
         let r = r.normalize_or_zero();

@@ -44,7 +44,7 @@ fn check_lathe(p: &Parser, kind: SplineKind, points: &[Vec2], span: Span) -> Res
         SplineKind::Linear if n < 2 => "a lathe with linear splines must have at least two points",
         SplineKind::Quadratic if n < 3 => "a lathe with quadratic splines must have at least three points",
         SplineKind::Cubic if n < 4 => "a lathe with cubic splines must have at least four points",
-        SplineKind::Bezier if n < 4 || n % 4 != 0 => {
+        SplineKind::Bezier if n < 4 || !n.is_multiple_of(4) => {
             "a lathe with Bezier splines must have four points per segment"
         }
         _ if points[1..n - 1].iter().any(|point| point.x < 0.0) => {
@@ -68,7 +68,8 @@ pub fn sor(p: &mut Parser) -> Result<Object> {
         let falls = points[1..n - 1].windows(2).any(|pair| pair[1].y <= pair[0].y);
         let level = points.windows(3).any(|three| (three[2].y - three[0].y).abs() < EPS);
         if falls || level || points.iter().any(|point| point.x < 0.0) {
-            let message = "incorrect point in surface of revolution: radii cannot be negative and heights must rise";
+            let message =
+                "incorrect point in surface of revolution: radii cannot be negative and heights must rise";
             return p.error("bad-sor", message, span);
         }
         Ok(Shape::Sor { points: points.into(), open })

@@ -64,7 +64,11 @@ pub fn default_directive(p: &mut Parser) -> Result<()> {
                 p.next()?;
                 let new = texture::block(p)?;
                 if !matches!(&new.kind, TextureKind::Layers(layers) if layers.len() == 1) {
-                    return p.error("bad-default", "the default texture cannot be layered or patterned", span);
+                    return p.error(
+                        "bad-default",
+                        "the default texture cannot be layered or patterned",
+                        span,
+                    );
                 }
                 p.defaults.texture = Arc::new(new);
             }

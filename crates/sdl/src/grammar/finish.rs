@@ -137,8 +137,7 @@ fn roughness(p: &mut Parser, f: &mut Finish) -> Result<bool> {
 fn reflection(p: &mut Parser, f: &mut Finish) -> Result<bool> {
     if p.peek()? != Tok::Punct('{') {
         let color = rgb(p)?;
-        f.reflection =
-            Reflection { min: color, max: color, falloff: 1.0, fresnel: false, ..f.reflection };
+        f.reflection = Reflection { min: color, max: color, falloff: 1.0, fresnel: false, ..f.reflection };
         return Ok(true);
     }
     let r = &mut f.reflection;

@@ -28,7 +28,11 @@ pub fn float_function(p: &mut Parser) -> Result<Arc<Function>> {
     let span = p.span();
     let function = function_value(p)?;
     if function.components() != 1 {
-        return p.error("bad-function", "this function gives a vector or colour; a number is wanted here", span);
+        return p.error(
+            "bad-function",
+            "this function gives a vector or colour; a number is wanted here",
+            span,
+        );
     }
     Ok(function)
 }
@@ -49,7 +53,11 @@ fn parameters(p: &mut Parser) -> Result<Vec<String>> {
         p.comma()?;
     }
     if names.len() > MOST_PARAMETERS {
-        return p.error("too-many-parameters", format!("a function has at most {MOST_PARAMETERS} parameters"), span);
+        return p.error(
+            "too-many-parameters",
+            format!("a function has at most {MOST_PARAMETERS} parameters"),
+            span,
+        );
     }
     Ok(names)
 }
@@ -71,7 +79,9 @@ pub fn body(p: &mut Parser, parameters: &[String], special: bool) -> Result<Arc<
 
 fn special_body(p: &mut Parser, special: bool) -> Result<Option<Function>> {
     let key = match p.peek()? {
-        Tok::Kw(key @ (Kw::Internal | Kw::Pigment | Kw::Pattern | Kw::Transform | Kw::Spline)) if special => key,
+        Tok::Kw(key @ (Kw::Internal | Kw::Pigment | Kw::Pattern | Kw::Transform | Kw::Spline)) if special => {
+            key
+        }
         _ => return Ok(None),
     };
     Ok(Some(match key {
@@ -110,9 +120,9 @@ fn internal(p: &mut Parser) -> Result<Function> {
 
 /// How many parameters beyond x, y, z each internal function takes (table in section 3.4).
 const INTERNAL_PARAMETERS: [usize; 79] = [
-    5, 5, 5, 5, 2, 2, 5, 4, 2, 1, 4, 1, 1, 1, 1, 6, 6, 3, 1, 4, 3, 6, 1, 1, 10, 7, 7, 1, 1, 6, 1, 3, 4, 3, 6, 1,
-    1, 4, 1, 6, 5, 1, 1, 1, 4, 1, 3, 0, 1, 1, 7, 5, 6, 1, 1, 1, 3, 0, 6, 6, 4, 1, 5, 4, 6, 1, 4, 7, 2, 0, 2, 3, 1,
-    1, 2, 6, 0, 0, 1,
+    5, 5, 5, 5, 2, 2, 5, 4, 2, 1, 4, 1, 1, 1, 1, 6, 6, 3, 1, 4, 3, 6, 1, 1, 10, 7, 7, 1, 1, 6, 1, 3, 4, 3, 6,
+    1, 1, 4, 1, 6, 5, 1, 1, 1, 4, 1, 3, 0, 1, 1, 7, 5, 6, 1, 1, 1, 3, 0, 6, 6, 4, 1, 5, 4, 6, 1, 4, 7, 2, 0,
+    2, 3, 1, 1, 2, 6, 0, 0, 1,
 ];
 
 /// `pattern { name modifiers }`

@@ -179,7 +179,8 @@ impl Body {
         let Some(external) = function.as_external().cloned() else {
             return Ok(Expr::User(function, args));
         };
-        let component = |component| Expr::External { function: external.clone(), args: args.clone(), component };
+        let component =
+            |component| Expr::External { function: external.clone(), args: args.clone(), component };
         if external.components() == 1 {
             return Ok(component(0));
         }
@@ -195,12 +196,16 @@ impl Body {
             "t" | "filter" => component(3),
             "transmit" => component(4),
             "gray" | "grey" => add(add(weighted(0.297, 0), weighted(0.589, 1)), weighted(0.114, 2)),
-            "hf" => folded(
-                BinaryOp::Mul,
-                Expr::Const(0.996_093),
-                add(component(0), weighted(1.0 / 255.0, 1)),
-            ),
-            _ => return p.error("unknown-member", format!("`{name}` is no member of a vector or colour"), span),
+            "hf" => {
+                folded(BinaryOp::Mul, Expr::Const(0.996_093), add(component(0), weighted(1.0 / 255.0, 1)))
+            }
+            _ => {
+                return p.error(
+                    "unknown-member",
+                    format!("`{name}` is no member of a vector or colour"),
+                    span,
+                );
+            }
         })
     }
 

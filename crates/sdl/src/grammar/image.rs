@@ -264,7 +264,13 @@ pub fn sampled(p: &mut Parser) -> Result<Arc<Bitmap>> {
             let c = f.eval5(at);
             [c[0], c[1], c[2], 1.0 - c[4]].map(to_16_bits)
         })),
-        _ => return p.error("bad-function", "an image is made of a float function or a pigment function", span),
+        _ => {
+            return p.error(
+                "bad-function",
+                "an image is made of a float function or a pigment function",
+                span,
+            );
+        }
     };
     Ok(Arc::new(Bitmap { width, height, pixels, curve: FileCurve::None, premultiplied: false }))
 }

@@ -60,7 +60,8 @@ fn item(p: &mut Parser, i: &mut Interior) -> Result<bool> {
 /// Carries the interior words of an old finish to the interior, if the outermost layer has some.
 pub fn adopt_legacy(texture: &Texture, interior: &mut Option<Placed<Interior>>) {
     let TextureKind::Layers(layers) = &texture.kind else { return };
-    let Some(LegacyInterior { ior, caustics, refraction }) = layers.last().and_then(|l| l.finish.legacy_interior)
+    let Some(LegacyInterior { ior, caustics, refraction }) =
+        layers.last().and_then(|l| l.finish.legacy_interior)
     else {
         return;
     };
@@ -131,4 +132,3 @@ pub fn settled(placed: Placed<Texture>) -> Texture {
     }
     texture
 }
-

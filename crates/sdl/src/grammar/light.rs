@@ -128,10 +128,14 @@ fn kind_item(p: &mut Parser, light: &mut Light, key: Kw) -> Result<bool> {
 fn cone_item(p: &mut Parser, light: &mut Light, key: Kw) -> Result<bool> {
     let parallel = light.parallel;
     match (&mut light.kind, key) {
-        (LightKind::Spot { .. } | LightKind::Cylinder { .. }, Kw::Point_at) => set_vec3(p, &mut light.point_at),
+        (LightKind::Spot { .. } | LightKind::Cylinder { .. }, Kw::Point_at) => {
+            set_vec3(p, &mut light.point_at)
+        }
         (_, Kw::Point_at) if parallel => set_vec3(p, &mut light.point_at),
         (LightKind::Spot { radius, .. } | LightKind::Cylinder { radius, .. }, Kw::Radius) => set(p, radius),
-        (LightKind::Spot { falloff, .. } | LightKind::Cylinder { falloff, .. }, Kw::Falloff) => set(p, falloff),
+        (LightKind::Spot { falloff, .. } | LightKind::Cylinder { falloff, .. }, Kw::Falloff) => {
+            set(p, falloff)
+        }
         (LightKind::Spot { tightness, .. } | LightKind::Cylinder { tightness, .. }, Kw::Tightness) => {
             set(p, tightness)
         }
@@ -202,7 +206,8 @@ fn looks_like(p: &mut Parser, light: &mut Light) -> Result<bool> {
     if light.looks_like.is_some() {
         return p.error("second-looks-like", "only one looks_like is allowed per light source", span);
     }
-    let mut looks = inner_object(p, "looks_like", |looks| looks.transform(&transform::translate(light.location)))?;
+    let mut looks =
+        inner_object(p, "looks_like", |looks| looks.transform(&transform::translate(light.location)))?;
     looks.no_shadow = true;
     let default = p.defaults.texture.clone();
     object::apply_default_texture(&mut looks, &default);

@@ -33,7 +33,8 @@ pub fn map<E>(
         if !p.accept_punct('[')? {
             return p.accept_punct(',');
         }
-        let value = float32(p)?;
+        // In an average the number is a weight, which may be left out.
+        let value = if p.at_expression()? { float32(p)? } else { 1.0 };
         p.comma()?;
         entry(p, value, &mut entries)?;
         Ok(true)

@@ -47,9 +47,7 @@ impl Builder {
         if same(units[0], units[1]) && same(units[0], units[2]) {
             return None;
         }
-        Some(units.map(|n| {
-            index_of(&mut self.mesh.normals, &mut self.normals, n.as_vec3().to_array())
-        }))
+        Some(units.map(|n| index_of(&mut self.mesh.normals, &mut self.normals, n.as_vec3().to_array())))
     }
 
     fn uv(&mut self, uv: Vec2) -> u32 {
@@ -74,7 +72,9 @@ impl Builder {
         let uvs = extras.uvs.map(|uvs| uvs.map(|uv| self.uv(uv)));
         let texture = match extras.textures {
             None => FaceTexture::Object,
-            Some([a, b, c]) if Arc::ptr_eq(&a, &b) && Arc::ptr_eq(&b, &c) => FaceTexture::One(self.texture(a)),
+            Some([a, b, c]) if Arc::ptr_eq(&a, &b) && Arc::ptr_eq(&b, &c) => {
+                FaceTexture::One(self.texture(a))
+            }
             Some(textures) => FaceTexture::Three(textures.map(|texture| self.texture(texture))),
         };
         self.mesh.faces.push(MeshFace { vertices, normals, uvs, texture });

@@ -231,7 +231,9 @@ fn loose(p: &mut Parser, o: &mut Object) -> Result<bool> {
 
 fn top_finish(o: &Object) -> raggio_scene::Finish {
     match o.texture.as_ref().map(|placed| &placed.item.kind) {
-        Some(raggio_scene::TextureKind::Layers(layers)) => layers.last().map(|l| l.finish).unwrap_or_default(),
+        Some(raggio_scene::TextureKind::Layers(layers)) => {
+            layers.last().map(|l| l.finish).unwrap_or_default()
+        }
         _ => raggio_scene::Finish::default(),
     }
 }

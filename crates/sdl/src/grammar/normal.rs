@@ -125,11 +125,7 @@ pub fn item(p: &mut Parser, draft: &mut Draft) -> Result<bool> {
             *draft = Draft::new(Some(&base));
             return Ok(true);
         }
-        Tok::Kw(word) => {
-            if own_word(p, draft, word)? {
-                return Ok(true);
-            }
-        }
+        Tok::Kw(word) if own_word(p, draft, word)? => return Ok(true),
         _ => {}
     }
     let bumps = word(p)? == Some(Kw::Bumps);

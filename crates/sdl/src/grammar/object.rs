@@ -5,8 +5,8 @@ use raggio_scene::{Csg, Object, ObjectKind, Shape, Texture};
 
 use super::util::{take, word};
 use super::{
-    blob, csg, curves, height_field, interior, isosurface, julia, light, modifiers, patch, poly, quadrics, text,
-    triangles,
+    blob, csg, curves, height_field, interior, isosurface, julia, light, modifiers, patch, poly, quadrics,
+    text, triangles,
 };
 use crate::keyword::Kw;
 use crate::parser::{Parser, Result, Tok};
@@ -78,11 +78,7 @@ fn reader(name: Kw) -> Option<Reader> {
 }
 
 /// Reads `{ head modifiers }`. Instead of the head there may be the identifier of an object, which is copied.
-pub fn build(
-    p: &mut Parser,
-    what: &str,
-    head: impl FnOnce(&mut Parser) -> Result<Object>,
-) -> Result<Object> {
+pub fn build(p: &mut Parser, what: &str, head: impl FnOnce(&mut Parser) -> Result<Object>) -> Result<Object> {
     let (mut head, mut object) = (Some(head), None);
     let span = p.span();
     p.block(what, |p| {

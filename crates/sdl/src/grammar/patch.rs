@@ -36,7 +36,9 @@ pub fn bicubic_patch(p: &mut Parser) -> Result<Object> {
                 p.warn("old-patch", "this patch type is no longer supported; using type 1", span);
                 1
             }
-            _ => return p.error("bad-patch", "undefined bicubic patch type: give `type 0` or `type 1`", span),
+            _ => {
+                return p.error("bad-patch", "undefined bicubic patch type: give `type 0` or `type 1`", span);
+            }
         };
         let mut points = Box::new([[Vec3::ZERO; 4]; 4]);
         for point in points.iter_mut().flatten() {

@@ -50,14 +50,9 @@ fn plain(name: Kw) -> Option<PatternKind> {
         Kw::Leopard => PatternKind::Leopard,
         Kw::Marble => PatternKind::Marble,
         Kw::Onion => PatternKind::Onion,
-        Kw::Pavement => PatternKind::Pavement {
-            sides: 3,
-            tiles: 1,
-            pattern: 1,
-            exterior: 0,
-            interior: 0,
-            form: 0,
-        },
+        Kw::Pavement => {
+            PatternKind::Pavement { sides: 3, tiles: 1, pattern: 1, exterior: 0, interior: 0, form: 0 }
+        }
         Kw::Planar => PatternKind::Planar,
         Kw::Quilted => PatternKind::Quilted { control0: 1.0, control1: 1.0 },
         Kw::Radial => PatternKind::Radial,
@@ -155,7 +150,8 @@ fn decode_df3(bytes: &[u8]) -> Option<([usize; 3], Vec<f32>)> {
     let width = [4, 2, 1].into_iter().find(|w| data.len() >= cells.saturating_mul(*w))?;
     let most = (256f64.powi(width as i32) - 1.0) as f32;
     let number = |b: &[u8]| b.iter().fold(0u32, |n, &byte| n << 8 | u32::from(byte));
-    let samples = data.chunks_exact(width).take(cells).map(|b| (f64::from(number(b)) / f64::from(most)) as f32);
+    let samples =
+        data.chunks_exact(width).take(cells).map(|b| (f64::from(number(b)) / f64::from(most)) as f32);
     Some((size, samples.collect()))
 }
 
@@ -193,8 +189,13 @@ fn slope(p: &mut Parser) -> Result<PatternKind> {
     let braces = p.accept_punct('{')?;
     let point_at = braces && p.accept(Kw::Point_at)?;
     let direction = vec3(p)?;
-    let mut settings =
-        SlopeSettings { direction, point_at, slope_range: (0.0, 0.0), altitude: None, altitude_range: (0.0, 0.0) };
+    let mut settings = SlopeSettings {
+        direction,
+        point_at,
+        slope_range: (0.0, 0.0),
+        altitude: None,
+        altitude_range: (0.0, 0.0),
+    };
     if braces {
         settings.slope_range = range(p)?;
         if !point_at && p.accept(Kw::Altitude)? {

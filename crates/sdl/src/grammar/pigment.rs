@@ -133,11 +133,7 @@ pub fn item(p: &mut Parser, draft: &mut Draft) -> Result<bool> {
             *draft = Draft::new(&take!(p, Density).0, draft.flavour);
             return Ok(true);
         }
-        Tok::Kw(word) => {
-            if map_or_image(p, draft, word)? {
-                return Ok(true);
-            }
-        }
+        Tok::Kw(word) if map_or_image(p, draft, word)? => return Ok(true),
         _ => {}
     }
     if let Some(kind) = named_pattern(p, draft)? {

@@ -82,7 +82,11 @@ fn term(p: &mut Parser, order: usize) -> Result<usize> {
     p.expect(')')?;
     let [i, j, k] = exponents;
     if i + j + k > order {
-        return p.error("bad-term", "coefficient of polynomial is out of range: the exponents add to too much", span);
+        return p.error(
+            "bad-term",
+            "coefficient of polynomial is out of range: the exponents add to too much",
+            span,
+        );
     }
     let rest = order - i;
     let before_x: usize = (0..rest).map(|r| (r + 1) * (r + 2) / 2).sum();

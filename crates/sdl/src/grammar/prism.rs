@@ -53,7 +53,7 @@ fn check_count(p: &Parser, kind: SplineKind, n: usize, span: Span) -> Result<()>
         SplineKind::Linear if n < 3 => "a prism with linear splines must have at least three points",
         SplineKind::Quadratic if n < 5 => "a prism with quadratic splines must have at least five points",
         SplineKind::Cubic if n < 6 => "a prism with cubic splines must have at least six points",
-        SplineKind::Bezier if n < 4 || n % 4 != 0 => {
+        SplineKind::Bezier if n < 4 || !n.is_multiple_of(4) => {
             "a prism with Bezier splines must have four points per segment"
         }
         _ => return Ok(()),
@@ -134,7 +134,9 @@ mod tests {
     use super::*;
 
     fn square(at: f64) -> Vec<Vec2> {
-        [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0), (0.0, 0.0)].map(|(x, y)| Vec2::new(x + at, y)).to_vec()
+        [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0), (0.0, 0.0)]
+            .map(|(x, y)| Vec2::new(x + at, y))
+            .to_vec()
     }
 
     #[test]

@@ -27,7 +27,11 @@ pub fn plane(p: &mut Parser) -> Result<Object> {
         let normal = vec3(p)?;
         let distance = comma_float(p)?;
         if normal.length() < EPS {
-            return p.error("degenerate-plane", "degenerate plane normal: the zero vector has no direction", span);
+            return p.error(
+                "degenerate-plane",
+                "degenerate plane normal: the zero vector has no direction",
+                span,
+            );
         }
         Ok(Shape::Plane { normal: normal.normalize(), distance })
     })

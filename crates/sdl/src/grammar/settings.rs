@@ -2,9 +2,7 @@
 use raggio_diag::Span;
 use raggio_scene::{Curve, Photons, RadiositySettings, SubsurfaceSettings};
 
-use super::util::{
-    comma_float, count, float, float32, optional_second, set_count, set_flag, set32, word,
-};
+use super::util::{comma_float, count, float, float32, optional_second, set_count, set_flag, set32, word};
 use crate::keyword::Kw;
 use crate::parser::{Charset, Parser, Result};
 
@@ -18,7 +16,8 @@ pub fn block(p: &mut Parser) -> Result<()> {
 
 /// Settings that old scenes write outside the block.
 pub fn loose(p: &mut Parser) -> Result<bool> {
-    let old = [Kw::Max_trace_level, Kw::Max_intersections, Kw::Adc_bailout, Kw::Number_of_waves, Kw::Hf_gray_16];
+    let old =
+        [Kw::Max_trace_level, Kw::Max_intersections, Kw::Adc_bailout, Kw::Number_of_waves, Kw::Hf_gray_16];
     let span = p.span();
     match word(p)? {
         Some(key) if old.contains(&key) => {
@@ -56,7 +55,13 @@ fn item(p: &mut Parser, key: Kw) -> Result<bool> {
             float(p)?;
             p.warn("no-effect", "`max_intersections` has no effect any more", span);
         }
-        _ => return p.error("unknown-setting", format!("global_settings does not take `{}`", key.word()), span),
+        _ => {
+            return p.error(
+                "unknown-setting",
+                format!("global_settings does not take `{}`", key.word()),
+                span,
+            );
+        }
     }
     Ok(true)
 }

@@ -96,10 +96,11 @@ pub fn block(p: &mut Parser) -> Result<Texture> {
     draft.finish(p)
 }
 
-/// `texture { } texture { } ...`: all layers; the first word has not been read.
+/// `texture { } texture { } ...`: all layers; the first word has not been read. A macro call behind a layer is left
+/// alone: it may want the very texture that is being declared.
 pub fn layers(p: &mut Parser) -> Result<Option<Texture>> {
     let mut texture: Option<Texture> = None;
-    while word(p)? == Some(Kw::Texture) {
+    while (texture.is_none() || !p.next_is_name()) && word(p)? == Some(Kw::Texture) {
         p.next()?;
         let over = block(p)?;
         texture = Some(match texture {
@@ -218,7 +219,11 @@ fn top_layer<'t>(p: &mut Parser, texture: &'t mut Texture) -> Result<&'t mut Lay
     {
         return Ok(layer);
     }
-    p.error("patterned-texture", "a patterned texture has no pigment, normal or finish of its own to change", span)
+    p.error(
+        "patterned-texture",
+        "a patterned texture has no pigment, normal or finish of its own to change",
+        span,
+    )
 }
 
 /// Words of pigments, normals and finishes that stand directly in the texture, as they did before version 1.5.

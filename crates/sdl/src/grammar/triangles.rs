@@ -23,7 +23,8 @@ pub fn triangle(p: &mut Parser) -> Result<Object> {
 pub fn smooth_triangle(p: &mut Parser) -> Result<Object> {
     object::build(p, "smooth_triangle", |p| {
         let span = p.span();
-        let corners = [vec3(p)?, comma_vec3(p)?, comma_vec3(p)?, comma_vec3(p)?, comma_vec3(p)?, comma_vec3(p)?];
+        let corners =
+            [vec3(p)?, comma_vec3(p)?, comma_vec3(p)?, comma_vec3(p)?, comma_vec3(p)?, comma_vec3(p)?];
         let points = [corners[0], corners[2], corners[4]];
         let normals = [corners[1], corners[3], corners[5]].map(Vec3::normalize_or_zero);
         let face = face_normal(points);

@@ -22,7 +22,11 @@ fn check<T>(p: &mut Parser, value: T, finite: bool) -> Result<T> {
         return Ok(value);
     }
     let span = p.span();
-    p.error("not-finite", "this number is infinite or not a number; a value before here divides by zero", span)
+    p.error(
+        "not-finite",
+        "this number is infinite or not a number; a value before here divides by zero",
+        span,
+    )
 }
 
 /// A finite number.

@@ -98,7 +98,15 @@ fn head(p: &mut Parser) -> Result<Option<Warp>> {
             let center = vec3(p)?;
             let radius = comma_float(p)?;
             let (strength, falloff) = (1.0, 2.0);
-            Warp::BlackHole { center, radius, strength, falloff, inverse: false, repeat: None, turbulence: None }
+            Warp::BlackHole {
+                center,
+                radius,
+                strength,
+                falloff,
+                inverse: false,
+                repeat: None,
+                turbulence: None,
+            }
         }
         Kw::Turbulence => {
             p.next()?;
@@ -132,12 +140,9 @@ fn repeat(p: &mut Parser) -> Result<Warp> {
     let v = vec3(p)?;
     let axes: Vec<usize> = (0..3).filter(|&k| v[k].abs() > EPS).collect();
     match axes[..] {
-        [axis] => Ok(Warp::Repeat {
-            axis: axis as u8,
-            width: v[axis] as f32,
-            flip: Vec3::ZERO,
-            offset: Vec3::ZERO,
-        }),
+        [axis] => {
+            Ok(Warp::Repeat { axis: axis as u8, width: v[axis] as f32, flip: Vec3::ZERO, offset: Vec3::ZERO })
+        }
         _ => p.error("bad-warp", "a repeat warp needs exactly one axis with a width other than 0", span),
     }
 }

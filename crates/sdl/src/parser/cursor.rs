@@ -90,6 +90,9 @@ impl Cursor {
 impl Parser<'_> {
     /// Looks at the next token, executing what stands before it.
     pub(super) fn advance(&mut self) -> Result<Tok> {
+        if let Some(fault) = self.fault.take() {
+            return Err(fault);
+        }
         loop {
             let frame = &mut self.cursor.frame;
             if frame.pos >= frame.end {
@@ -304,6 +307,14 @@ impl Parser<'_> {
     pub(super) fn next_raw_is(&self, c: char) -> bool {
         let frame = &self.cursor.frame;
         frame.pos < frame.end && frame.file.tokens[frame.pos as usize].is_punct(c)
+    }
+
+    /// Does a name come next, which may be a macro's? Nothing is executed to find out, as a peek would.
+    pub fn next_is_name(&self) -> bool {
+        let frame = &self.cursor.frame;
+        self.cursor.ahead.is_none()
+            && frame.pos < frame.end
+            && matches!(frame.file.tokens[frame.pos as usize].lexeme(), Lexeme::Ident(_))
     }
 
     /// Consumes the next token without giving it a meaning: for names in `#declare`, `#ifdef` and the like.

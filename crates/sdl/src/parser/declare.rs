@@ -57,7 +57,12 @@ impl Parser<'_> {
             }
             _ => {
                 let span = self.here();
-                let message = format!("`{}` is no directive", self.source_text(span));
+                let text = self.source_text(span);
+                if text.trim_end() == "#" {
+                    self.warn("stray-hash", "a lone `#` means nothing", span);
+                    return Ok(());
+                }
+                let message = format!("`{text}` is no directive");
                 self.error("unknown-directive", message, span)
             }
         }

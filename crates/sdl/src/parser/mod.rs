@@ -100,6 +100,8 @@ pub struct Parser<'a> {
     version: version::VersionState,
     gamma_explicit: bool,
     depth: u32,
+    /// What `span` met, for the next `peek`.
+    fault: Option<Box<Diagnostic>>,
 }
 
 /// Most brackets and blocks within one another.
@@ -127,8 +129,9 @@ impl Parser<'_> {
 
     /// The place of the token that `peek` shows.
     pub fn span(&mut self) -> Span {
-        // A fault here comes back at the next `peek`, as the walk has not gone past it.
-        let _ = self.peek();
+        if let Err(fault) = self.peek() {
+            self.fault = Some(fault);
+        }
         self.here()
     }
 

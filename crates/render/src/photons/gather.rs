@@ -1,0 +1,85 @@
+//! Gathering: the photons around a point as light (photon spec, section 2.7).
+use std::f64::consts::PI;
+
+use raggio_image::Rgb;
+use raggio_math::Vec3;
+use raggio_scene::Finish;
+
+use super::map::{Nearest, PhotonMap};
+use crate::integrator::Tracer;
+use crate::integrator::surface::SurfacePoint;
+
+/// What a tracer keeps for photons.
+pub struct State<'w> {
+    map: &'w PhotonMap,
+    gather_min: usize,
+    gather_max: usize,
+    expand_increase: f64,
+    expand_min: usize,
+    nearest: Nearest,
+}
+
+impl<'w> State<'w> {
+    /// For a map and a plan's numbers.
+    pub fn new(map: &'w PhotonMap, plan: &super::Plan) -> Self {
+        let settings = &plan.settings;
+        State {
+            map,
+            gather_min: settings.gather_min as usize,
+            gather_max: settings.gather_max as usize,
+            expand_increase: settings.expand_increase.into(),
+            expand_min: settings.expand_min as usize,
+            nearest: Nearest::default(),
+        }
+    }
+
+    /// Finds the photons around a point of a surface; gives the radius that they fill.
+    fn gather(&mut self, p: Vec3, n: Vec3) -> f64 {
+        let asked = self.map.radius;
+        self.map.search(p, asked, self.gather_max, Some(n), &mut self.nearest);
+        let first = self.nearest.radius(asked);
+        let count = self.nearest.found.len();
+        if count >= self.gather_min {
+            return first;
+        }
+        let density = (count as f64 / (first * first)).max(1e-16);
+        self.map.search(p, 3.0 * asked, self.gather_max, Some(n), &mut self.nearest);
+        let second = self.nearest.radius(3.0 * asked);
+        let wider = self.nearest.found.len();
+        let grown = (wider as f64 / (second * second) - density) / density;
+        if grown < self.expand_increase || (wider > 0 && wider < self.expand_min) {
+            return second;
+        }
+        self.map.search(p, asked, self.gather_max, Some(n), &mut self.nearest);
+        first
+    }
+}
+
+impl Tracer<'_> {
+    /// The light that photons bring to a layer. `known` is the radius of the layers before, which share its photons.
+    pub(crate) fn photon_light(
+        &mut self,
+        point: &SurfacePoint<'_>,
+        finish: &Finish,
+        n: Vec3,
+        rgb: Rgb,
+        opacity: f32,
+        known: &mut Option<f64>,
+    ) -> Rgb {
+        let dull = finish.diffuse == 0.0 && finish.phong == 0.0 && finish.specular == 0.0;
+        if dull || !point.material.photons.collect.unwrap_or(true) {
+            return Rgb::ZERO;
+        }
+        let Some(mut state) = self.photons.take() else { return Rgb::ZERO };
+        let radius = *known.get_or_insert_with(|| state.gather(point.surface.p, n));
+        let mut sum = Rgb::ZERO;
+        for &(_, number) in &state.nearest.found {
+            let photon = state.map.photon(number);
+            let slant = point.n.dot(photon.toward).clamp(0.1, 1.0);
+            let light = photon.power / slant as f32;
+            sum += self.lit_from(point, finish, n, (rgb, opacity), photon.toward, light);
+        }
+        self.photons = Some(state);
+        if radius > 0.0 { sum / (PI * radius * radius) as f32 } else { Rgb::ZERO }
+    }
+}

@@ -1,0 +1,291 @@
+//! The photon map: how coarsely photons are kept, the tree, the search (photon spec, section 2.5).
+//!
+//! The tree is built and searched as in POV-Ray, with the photons that its search cannot find, so that pictures agree.
+use std::f64::consts::PI;
+
+use raggio_image::Rgb;
+use raggio_math::Vec3;
+
+use super::Photon;
+
+/// Photons in the order of a balanced tree.
+#[derive(Default)]
+pub struct PhotonMap {
+    photons: Vec<Photon>,
+    /// The axis by which each splits its range.
+    axes: Vec<u8>,
+    /// The radius of a gather.
+    pub radius: f64,
+}
+
+/// The nearest photons of a search.
+#[derive(Default)]
+pub struct Nearest {
+    /// Squared distance and number.
+    pub found: Vec<(f64, u32)>,
+    /// Beyond it (squared) nothing counts.
+    limit: f64,
+    max: usize,
+    /// Were there more than fit?
+    full: bool,
+    /// Flattens the search on surfaces; `None` in space.
+    normal: Option<Vec3>,
+}
+
+impl Photon {
+    /// A photon of that power, rounded as it will be kept.
+    pub fn new(p: Vec3, power: Rgb, toward: Vec3) -> Photon {
+        Photon { p: p.as_vec3().to_array(), power: coarse(power), toward: coarse_direction(toward) }
+    }
+
+    fn at(&self) -> Vec3 {
+        Vec3::new(self.p[0].into(), self.p[1].into(), self.p[2].into())
+    }
+}
+
+/// A colour as three bytes with a common exponent. The exponent's byte overflows from 2^32 on.
+fn coarse(power: Rgb) -> Rgb {
+    let brightest = power.max_element();
+    if brightest.is_nan() || brightest < 1e-32 || brightest.is_infinite() {
+        return Rgb::ZERO;
+    }
+    let mut exponent = brightest.log2().floor() as i32 + 1;
+    if brightest >= 2f32.powi(exponent) {
+        exponent += 1;
+    }
+    let scale = 2f32.powi(exponent);
+    let byte = |v: f32| (256.0 * v / scale).floor().clamp(0.0, 255.0);
+    let kept = (exponent + 250).rem_euclid(256) - 250;
+    let back = 2f32.powi(kept.max(-126) - 8);
+    Rgb::new(byte(power.x), byte(power.y), byte(power.z)) * back
+}
+
+/// A direction as two angles of a signed byte each.
+fn coarse_direction(w: Vec3) -> Vec3 {
+    let flat = w.x.hypot(w.z);
+    let byte = |angle: f64| (angle * 127.0 / PI).trunc() * PI / 127.0;
+    let phi = if flat > 0.0 { (w.x / flat).clamp(-1.0, 1.0).acos().copysign(w.z) } else { 0.0 };
+    let theta = flat.min(1.0).acos().copysign(w.y);
+    let (phi, theta) = (byte(phi), byte(theta));
+    Vec3::new(theta.cos() * phi.cos(), theta.sin(), theta.cos() * phi.sin())
+}
+
+impl PhotonMap {
+    /// A map of photons in the order in which they were stored.
+    pub fn new(photons: Vec<Photon>) -> PhotonMap {
+        let mut map = PhotonMap { axes: vec![0; photons.len()], photons, radius: 0.0 };
+        let mut ranges = Vec::new();
+        if !map.photons.is_empty() {
+            ranges.push((0, map.photons.len() - 1));
+        }
+        while let Some((s, e)) = ranges.pop() {
+            if s == e {
+                continue;
+            }
+            let axis = map.longest_axis(s, e);
+            let mid = (s + e) / 2;
+            // Two are left as they are, which is why some photons are never found.
+            if e - s >= 2 {
+                map.select(s, e, mid, axis);
+            }
+            map.axes[mid] = axis as u8;
+            if mid > s {
+                ranges.push((s, mid - 1));
+            }
+            ranges.push((mid + 1, e));
+        }
+        map
+    }
+
+    /// Is there nothing?
+    pub fn is_empty(&self) -> bool {
+        self.photons.is_empty()
+    }
+
+    /// How many photons there are.
+    pub fn len(&self) -> usize {
+        self.photons.len()
+    }
+
+    /// A photon by number.
+    pub fn photon(&self, number: u32) -> &Photon {
+        &self.photons[number as usize]
+    }
+
+    fn longest_axis(&self, s: usize, e: usize) -> usize {
+        let (mut min, mut max) = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
+        for photon in &self.photons[s..=e] {
+            for k in 0..3 {
+                min[k] = min[k].min(photon.p[k]);
+                max[k] = max[k].max(photon.p[k]);
+            }
+        }
+        let size = |k: usize| max[k] - min[k];
+        (1..3).fold(0, |best, k| if size(k) > size(best) { k } else { best })
+    }
+
+    /// Moves the photon that belongs at `mid` there, lesser ones before it (Hoare's selection with the pivot of three).
+    fn select(&mut self, mut l: usize, mut r: usize, mid: usize, axis: usize) {
+        while l < r {
+            let p = &mut self.photons;
+            p.swap((l + r) / 2, l + 1);
+            if p[l + 1].p[axis] > p[r].p[axis] {
+                p.swap(l + 1, r);
+            }
+            if p[l].p[axis] > p[r].p[axis] {
+                p.swap(l, r);
+            }
+            if p[l + 1].p[axis] > p[l].p[axis] {
+                p.swap(l + 1, l);
+            }
+            let pivot = p[l].p[axis];
+            let (mut j, mut k) = (l + 1, r);
+            while j <= k {
+                j += 1;
+                while j <= r && p[j].p[axis] < pivot {
+                    j += 1;
+                }
+                k -= 1;
+                while k >= l && p[k].p[axis] > pivot {
+                    k -= 1;
+                }
+                if j < k {
+                    p.swap(j, k);
+                }
+            }
+            p.swap(l, k);
+            if k > l && mid < k {
+                r = k - 1;
+            } else if k < r && k < mid {
+                l = k + 1;
+            } else {
+                return;
+            }
+        }
+    }
+
+    /// The nearest photons within a radius, at most `max`; distances on surfaces grow away from the tangent plane.
+    pub fn search(&self, p: Vec3, radius: f64, max: usize, normal: Option<Vec3>, nearest: &mut Nearest) {
+        nearest.found.clear();
+        nearest.limit = radius * radius;
+        nearest.max = max;
+        nearest.full = false;
+        nearest.normal = normal;
+        if !self.photons.is_empty() {
+            self.search_range(0, self.photons.len() as i64 - 1, p, nearest);
+        }
+    }
+
+    fn search_range(&self, s: i64, e: i64, p: Vec3, nearest: &mut Nearest) {
+        let mid = (s + e) / 2;
+        let photon = &self.photons[mid as usize];
+        let axis = self.axes[mid as usize] as usize;
+        let offset = p[axis] - f64::from(photon.p[axis]);
+        if offset * offset <= nearest.limit {
+            nearest.test(p, photon, mid as u32);
+        }
+        let sides = [(s, mid - 1, true), (mid + 1, e, false)];
+        let order = if offset < 0.0 { [0, 1] } else { [1, 0] };
+        for side in order {
+            let (s, e, left) = sides[side];
+            let radius = nearest.limit.sqrt();
+            let reached = if left { offset - radius < 0.0 } else { offset + radius > 0.0 };
+            if s <= e && reached {
+                self.search_range(s, e, p, nearest);
+            }
+        }
+    }
+}
+
+impl Nearest {
+    fn test(&mut self, p: Vec3, photon: &Photon, number: u32) {
+        let offset = photon.at() - p;
+        let mut square = offset.length_squared();
+        if let Some(n) = self.normal {
+            square *= 1.0 + 16.0 * n.dot(offset).abs();
+        }
+        if square >= self.limit {
+            return;
+        }
+        if self.found.len() < self.max {
+            self.found.push((square, number));
+            return;
+        }
+        // A heap by distance once it is full: the farthest stands first.
+        if !self.full {
+            self.full = true;
+            for i in (0..self.found.len() / 2).rev() {
+                self.sift(i);
+            }
+        }
+        if square < self.found[0].0 {
+            self.found[0] = (square, number);
+            self.sift(0);
+            self.limit = self.found[0].0;
+        }
+    }
+
+    fn sift(&mut self, mut i: usize) {
+        loop {
+            let (a, b) = (2 * i + 1, 2 * i + 2);
+            let bigger = |x: usize, y: usize| x < self.found.len() && self.found[x].0 > self.found[y].0;
+            let mut top = if bigger(a, i) { a } else { i };
+            if bigger(b, top) {
+                top = b;
+            }
+            if top == i {
+                return;
+            }
+            self.found.swap(i, top);
+            i = top;
+        }
+    }
+
+    /// The radius that the photons found fill.
+    pub fn radius(&self, asked: f64) -> f64 {
+        if self.full { self.found[0].0.sqrt() } else { asked }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn scattered(n: usize) -> Vec<Photon> {
+        let mut state = 7u64;
+        let mut random = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            (state >> 33) as f64 / f64::from(1u32 << 31)
+        };
+        let place = |r: &mut dyn FnMut() -> f64| Vec3::new(r(), r() * 0.1, r());
+        (0..n).map(|_| Photon::new(place(&mut random), Rgb::ONE, Vec3::Y)).collect()
+    }
+
+    #[test]
+    fn searches_find_nearly_all_of_the_nearest() {
+        let photons = scattered(2000);
+        let map = PhotonMap::new(photons.clone());
+        let mut nearest = Nearest::default();
+        let p = Vec3::new(0.5, 0.05, 0.4);
+        map.search(p, 0.2, 50, None, &mut nearest);
+        assert_eq!(nearest.found.len(), 50);
+        let mut exact: Vec<f64> = photons.iter().map(|q| (q.at() - p).length()).collect();
+        exact.sort_by(f64::total_cmp);
+        let got = nearest.radius(0.2);
+        assert!(got >= exact[49] && got < exact[49] * 1.1, "{got} {}", exact[49]);
+        map.search(p, 0.02, 50, None, &mut nearest);
+        let within = exact.iter().filter(|d| **d < 0.02).count();
+        assert!(nearest.found.len() <= within && nearest.found.len() + 3 >= within);
+        assert_eq!(nearest.radius(0.02), 0.02);
+    }
+
+    #[test]
+    fn powers_keep_eight_bits_and_directions_seven() {
+        let kept = coarse(Rgb::new(0.0913, 0.05, 0.001));
+        assert!((kept - Rgb::new(0.0913, 0.05, 0.001)).abs().max_element() < 0.125 / 256.0);
+        assert_eq!(coarse(Rgb::ZERO), Rgb::ZERO);
+        for w in [Vec3::Y, Vec3::new(0.6, 0.64, -0.48), -Vec3::X] {
+            assert!(coarse_direction(w).dot(w) > 0.999, "{w} {}", coarse_direction(w));
+        }
+    }
+}
