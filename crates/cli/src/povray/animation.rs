@@ -28,7 +28,9 @@ pub(crate) struct Frames {
 
 /// Which frames there are, and their clocks.
 pub(crate) fn frames(settings: &Settings) -> Frames {
-    let Some(last) = settings.final_frame else {
+    // Frame 0 alone is how some callers say that there is no animation.
+    let last = settings.final_frame.filter(|&last| (settings.initial_frame, last) != (0, 0));
+    let Some(last) = last else {
         let frame = Frame { number: 0, clock: settings.clock.unwrap_or(0.0) };
         return Frames {
             list: vec![frame],
@@ -44,22 +46,19 @@ pub(crate) fn frames(settings: &Settings) -> Frames {
     let first = settings.initial_frame;
     let final_frame = last + i64::from(settings.cyclic);
     let span = (final_frame - first) as f64;
-    let clock_delta =
-        if span > 0.0 { (settings.final_clock - settings.initial_clock) / span } else { 0.0 };
+    let clock_delta = if span > 0.0 { (settings.final_clock - settings.initial_clock) / span } else { 0.0 };
     let count = (last - first + 1) as f64;
     let subset = |edge: Option<f64>, otherwise: i64| match edge {
         Some(part) if part > 0.0 && part < 1.0 => first - 1 + (part * count) as i64,
         Some(number) => number as i64,
         None => otherwise,
     };
-    let (from, to) = (subset(settings.subset_start, first).max(first), subset(settings.subset_end, last).min(last));
+    let (from, to) =
+        (subset(settings.subset_start, first).max(first), subset(settings.subset_end, last).min(last));
     let list = (first..=to)
         .step_by(settings.frame_step.max(1) as usize)
         .filter(|&number| number >= from)
-        .map(|number| Frame {
-            number,
-            clock: settings.initial_clock + clock_delta * (number - first) as f64,
-        })
+        .map(|number| Frame { number, clock: settings.initial_clock + clock_delta * (number - first) as f64 })
         .collect();
     Frames {
         list,

@@ -102,10 +102,12 @@ pub(super) fn apply(switch: &str, settings: &mut Settings) -> Result<(), OptionE
         .filter(|(name, _)| text.get(..name.len()).is_some_and(|t| t.eq_ignore_ascii_case(name)))
         .collect();
     candidates.sort_by_key(|(name, _)| std::cmp::Reverse(name.len()));
-    let (name, form) = candidates.into_iter().find(|(name, form)| form.fits(&text[name.len()..])).ok_or_else(unknown)?;
+    let (name, form) =
+        candidates.into_iter().find(|(name, form)| form.fits(&text[name.len()..])).ok_or_else(unknown)?;
     let rest = &text[name.len()..];
     let state = if on { "on" } else { "off" };
-    let mut set = |key: &str, value: &str| settings.set(key, value).map_err(|e| OptionError::new(switch, e.reason));
+    let mut set =
+        |key: &str, value: &str| settings.set(key, value).map_err(|e| OptionError::new(switch, e.reason));
     match form {
         Toggle(key) => set(key, state),
         ToggleNumber(key, other) | ToggleText(key, other) => {
