@@ -153,9 +153,10 @@ impl Walk {
         let opened = !fenced && !cutaway && around == op && op != Op::Merge;
         let mut inner = context.clone();
         let reserved = (!opened).then(|| self.reserve());
-        if cutaway && !inner.form_only {
+        // A texture on the group itself, or around it, is inherited as ever.
+        if cutaway && !inner.form_only && inner.texture.is_none() {
             let difference = matches!(csg, Csg::Difference { .. });
-            inner.cutaway = reserved.map(|group| Cutaway { group, difference, otherwise: context.texture });
+            inner.cutaway = reserved.map(|group| Cutaway { group, difference });
         }
         if !opened && op == Op::Union && all_shadowless(children) {
             inner.skip |= OUTERMOST_ONLY;

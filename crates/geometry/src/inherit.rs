@@ -104,7 +104,7 @@ impl Context {
         // The member processed last decides for all that share the interior.
         materials.interiors[interior.0 as usize].hollow = self.hollow;
         materials.material(Material {
-            texture: if self.cutaway.is_some() { None } else { self.texture },
+            texture: self.texture,
             interior_texture: self.interior_texture,
             interior,
             double_illuminate: self.double_illuminate,

@@ -48,6 +48,9 @@ struct LocalRay {
     stretch: f64,
 }
 
+/// How often a hit may come back that rounding has put on the edge of the range.
+const ROUNDING_TRIES: usize = 8;
+
 impl LocalRay {
     #[inline]
     fn new(ray: &Ray, object_from_world: &Affine) -> Self {
@@ -61,7 +64,7 @@ impl LocalRay {
     #[inline]
     fn closest(&self, shape: &ShapeKind, range: (f64, f64)) -> Option<LocalHit> {
         let mut local_range = self.range(range);
-        loop {
+        for _ in 0..ROUNDING_TRIES {
             let hit = shape.closest(&self.ray, local_range)?;
             let t = hit.t / self.stretch;
             if t > range.0 {
@@ -70,6 +73,7 @@ impl LocalRay {
             // Some shapes keep their distances only to within rounding.
             local_range.0 = hit.t.max(local_range.0) * (1.0 + 4.0 * f64::EPSILON);
         }
+        None
     }
 
     #[inline]

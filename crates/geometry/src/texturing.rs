@@ -24,8 +24,6 @@ pub(crate) struct Cutaway {
     pub(crate) group: u32,
     /// The first member's texture goes before those of the others.
     pub(crate) difference: bool,
-    /// Where no member has anything to say.
-    pub(crate) otherwise: Option<TextureId>,
 }
 
 /// The textures of a shape's part, by the shape's own numbering, and their shares.
@@ -87,19 +85,16 @@ impl Texturing<'_> {
         uses
     }
 
-    /// `cutaway_textures`: in a difference the first member's texture where it contains the point; else the average
-    /// over all members that contain it (shapes spec, section 8).
+    /// `cutaway_textures`: in a difference the first member's texture where it contains the point (none, where it has
+    /// none); else the average over all members that contain it (shapes spec, section 8).
     fn cut(&self, cutaway: &Cutaway, p: Vec3) -> Uses {
         let members = &self.tree.groups[cutaway.group as usize].members;
         let mut found = Uses::new();
-        if let (true, Some(first)) = (cutaway.difference, members.first()) {
-            self.gather(first.node, p, &mut found);
-        }
-        if found.is_empty() {
-            members.iter().for_each(|m| self.gather(m.node, p, &mut found));
-        }
-        if found.is_empty() {
-            return cutaway.otherwise.map(whole).into_iter().collect();
+        match members.first() {
+            Some(first) if cutaway.difference && self.tree.inside(first.node, p) => {
+                self.gather(first.node, p, &mut found);
+            }
+            _ => members.iter().for_each(|m| self.gather(m.node, p, &mut found)),
         }
         let total: f32 = found.iter().map(|u| u.weight).sum();
         found.iter_mut().for_each(|u| u.weight /= total);

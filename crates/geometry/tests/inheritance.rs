@@ -216,23 +216,19 @@ fn a_clipped_union_casts_no_shadow_only_if_no_member_does() {
 
 #[test]
 fn cut_surfaces_show_what_they_cut() {
-    let (first, second) = (texture(), texture());
-    let cut = |op: Csg| {
-        let members = vec![
-            with_texture(ball(0.0), &first),
-            with(ball(0.0), |o| o.transform(&translate(Vec3::new(0.0, 0.0, -1.0)))),
-            with_texture(ball(0.3), &second),
-        ];
-        with_texture(group(op, members), &texture())
-    };
-    let difference = group(
-        Csg::Difference { cutaway_textures: true },
-        vec![with_texture(ball(0.0), &first), with(ball(0.0), |o| o.transform(&translate(-Vec3::Z)))],
-    );
-    assert_eq!(textures_at(&compile(difference), 0.0), [[(address(&first), 1.0)], [(address(&first), 1.0)]]);
-    // The far side of the middle member lies in both others: their average.
-    let seen = textures_at(&compile(cut(Csg::CutawayIntersection)), 0.2);
-    assert_eq!(seen.last().unwrap().as_slice(), [(address(&first), 0.5), (address(&second), 0.5)]);
+    let (first, second, third) = (texture(), texture(), texture());
+    let nearer = || with(ball(0.0), |o| o.transform(&translate(-Vec3::Z)));
+    let difference = |solid: Object| group(Csg::Difference { cutaway_textures: true }, vec![solid, nearer()]);
+    let cut = compile(difference(with_texture(ball(0.0), &first)));
+    assert_eq!(textures_at(&cut, 0.0), [[(address(&first), 1.0)], [(address(&first), 1.0)]]);
+    // Where the cut solid has no texture there is none; where the whole has one it counts.
+    assert!(textures_at(&compile(difference(ball(0.0))), 0.0)[0].is_empty());
+    let textured = compile(with_texture(difference(with_texture(ball(0.0), &first)), &second));
+    assert_eq!(textures_at(&textured, 0.0), [[(address(&second), 1.0)], [(address(&first), 1.0)]]);
+    // The far side of the nearer ball lies in both others: their average, the bare one left out.
+    let members = vec![with_texture(ball(0.0), &first), nearer(), ball(0.1), with_texture(ball(0.3), &third)];
+    let seen = textures_at(&compile(group(Csg::CutawayIntersection, members)), 0.2);
+    assert_eq!(seen.last().unwrap().as_slice(), [(address(&first), 0.5), (address(&third), 0.5)]);
 }
 
 #[test]

@@ -15,6 +15,7 @@ mod photons;
 mod radiosity;
 mod sampler;
 mod sampling;
+mod subsurface;
 mod world;
 
 pub use api::{Antialias, AntialiasMethod, Film, Options, Region};

@@ -81,6 +81,8 @@ pub struct Streams {
     pub media: Stream,
     /// `crand`
     pub crand: Lcg,
+    /// Where the directions of scattered light go on.
+    pub scatter: u32,
 }
 
 impl Streams {
@@ -91,6 +93,7 @@ impl Streams {
             lights: Stream((word & 0x7fff) as u16),
             media: Stream(((word >> 16) & 0x7fff) as u16),
             crand: Lcg((word >> 32) as u32),
+            scatter: ((word >> 40) % 32767) as u32,
         }
     }
 }

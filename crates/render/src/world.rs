@@ -12,7 +12,7 @@ use crate::atmosphere::Sky;
 use crate::camera::Camera;
 use crate::lights::{LightSets, LightSource};
 use crate::media::MediaList;
-use crate::{photons, radiosity};
+use crate::{photons, radiosity, subsurface};
 
 /// A scene made ready for rays.
 pub struct World {
@@ -34,6 +34,8 @@ pub struct World {
     pub(crate) radiosity: Option<radiosity::Rules>,
     /// What photons are shot at.
     pub(crate) photons: Option<photons::Plan>,
+    /// Light under surfaces.
+    pub(crate) subsurface: Option<subsurface::Rules>,
     /// Does any interior or empty space have media?
     pub(crate) any_media: bool,
 }
@@ -59,6 +61,8 @@ pub(crate) struct WorldInterior {
     pub ior: f64,
     pub dispersion: f64,
     pub media: MediaList,
+    /// For subsurface light, where the scene has it.
+    pub albedo: Option<Arc<subsurface::Albedo>>,
 }
 
 /// The global settings that shading asks for.
@@ -87,7 +91,7 @@ impl World {
         let rules = Rules::new(scene);
         let geometry = Geometry::build(scene)?;
         let textures = compile_textures(&geometry, rules.noise);
-        let interiors = compile_interiors(&geometry, &rules);
+        let interiors = compile_interiors(&geometry, &rules, scene.settings.subsurface.is_some());
         let lights = geometry
             .lights
             .iter()
@@ -99,6 +103,7 @@ impl World {
             light_sets: LightSets::new(&geometry),
             radiosity: radiosity_rules(scene, &geometry),
             photons: photons::Plan::new(scene)?,
+            subsurface: subsurface::Rules::new(&scene.settings),
             camera: Camera::build(&scene.camera, rules.noise, &geometry)?,
             sky: Sky::new(scene, rules.noise),
             opaque: opaque_materials(&geometry, &textures),
@@ -118,8 +123,8 @@ impl World {
         if photons::Plan::in_media(scene) {
             missing.push("photons in media");
         }
-        if scene.settings.subsurface.is_some() {
-            missing.push("subsurface light");
+        if scene.settings.subsurface.is_some_and(|s| s.radiosity) && scene.settings.radiosity.is_some() {
+            missing.push("radiosity of subsurface light");
         }
         missing
     }
@@ -198,12 +203,19 @@ fn opaque_materials(geometry: &Geometry, textures: &[WorldTexture]) -> Vec<bool>
     geometry.materials.iter().map(all).collect()
 }
 
-fn compile_interiors(geometry: &Geometry, rules: &Rules) -> Vec<WorldInterior> {
+fn compile_interiors(geometry: &Geometry, rules: &Rules, subsurface: bool) -> Vec<WorldInterior> {
+    let mut known = FxHashMap::default();
+    let mut albedo = |ior: f64| {
+        let new = || Arc::new(subsurface::Albedo::new(ior));
+        known.entry(ior.to_bits()).or_insert_with(new).clone()
+    };
     let compile = |info: &raggio_geometry::InteriorInfo| {
         let interior = info.interior.clone();
+        let ior = if interior.ior == 0.0 { rules.air_ior } else { f64::from(interior.ior) };
         WorldInterior {
             hollow: info.hollow,
-            ior: if interior.ior == 0.0 { rules.air_ior } else { f64::from(interior.ior) },
+            ior,
+            albedo: subsurface.then(|| albedo(ior)),
             dispersion: f64::from(interior.dispersion),
             media: MediaList::new(&interior.media, &info.world_from_interior, rules.noise),
             interior,

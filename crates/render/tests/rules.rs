@@ -91,8 +91,8 @@ fn noisy() -> Scene {
     light.area = Some(AreaLight {
         axis1: v(2.0, 0.0, 0.0),
         axis2: v(0.0, 0.0, 2.0),
-        size1: 4,
-        size2: 4,
+        size1: 3,
+        size2: 3,
         adaptive: Some(1),
         jitter: true,
         circular: false,
@@ -104,8 +104,8 @@ fn noisy() -> Scene {
     let mut camera = view(CameraKind::Perspective, v(0.0, 1.5, -5.0), 1.4, 1.0);
     camera.focal_blur = Some(FocalBlur {
         aperture: 0.3,
-        min_samples: 4,
-        max_samples: 10,
+        min_samples: 2,
+        max_samples: 5,
         confidence: 0.9,
         variance: 1e-3,
         focal_distance: 5.0,
@@ -130,7 +130,7 @@ fn the_picture_does_not_depend_on_threads() {
         jitter: 1.0,
         gamma: 2.5,
     });
-    let with = |threads, seed| render(&noisy(), &Options { threads, seed, antialias, ..options(70, 50) });
+    let with = |threads, seed| render(&noisy(), &Options { threads, seed, antialias, ..options(40, 36) });
     let one = with(1, 0);
     assert!(one.pixels == with(2, 0).pixels && one.pixels == with(7, 0).pixels);
     assert!(one.pixels != with(1, 1).pixels, "the seed must change random choices");

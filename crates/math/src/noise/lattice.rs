@@ -4,78 +4,84 @@ use super::tables::HASH;
 use super::values::VALUES;
 use crate::{EPS, Vec3};
 
-/// Where a coordinate falls: the lattice cell, masked, and the distance from its lower side.
+/// Added to a number below 2^51 it leaves the nearest whole number in the low bits of the sum.
+const ROUND: f64 = 6_755_399_441_055_744.0;
+
+/// Where a coordinate falls: the lattice cell, masked, and the distance from its lower side. A coordinate within `EPS`
+/// below a whole number belongs to the upper cell on the negative side. Beyond 2^51 the answer means nothing.
 #[inline]
 fn split(c: f64) -> (usize, f64) {
-    let t = if c >= 0.0 { c as i64 } else { (c - (1.0 - EPS)) as i64 };
-    ((t.wrapping_add(10000) & 4095) as usize, c - t as f64)
+    let shifted = if c < 0.0 { c + EPS } else { c };
+    let rounded = shifted + ROUND;
+    let whole = rounded - ROUND;
+    let above = whole > shifted;
+    let cell = rounded.to_bits().wrapping_add(10000).wrapping_sub(u64::from(above));
+    ((cell & 4095) as usize, c - whole + if above { 1.0 } else { 0.0 })
 }
 
-/// The eight corners of a cell: index into the value table and offsets of the point from each corner.
+/// The cell that a point lies in, with all that its channels share.
+///
+/// A corner holds a value and a gradient, four numbers in a row; what it adds is their product with the corner's
+/// weight times (0.5, and the way from the corner). `factors` has those products for the four corners of one side
+/// but for the weight and the way along x, which [`Cell::channel`] multiplies in last.
 struct Cell {
+    /// Indices into the values, x slowest, z fastest.
     corners: [usize; 8],
-    f: Vec3,
+    factors: [[f64; 4]; 4],
+    fx: f64,
+    sx: f64,
 }
 
 impl Cell {
-    #[inline]
+    #[inline(always)]
     fn at(p: Vec3) -> Cell {
         let ((ix, fx), (iy, fy), (iz, fz)) = (split(p.x), split(p.y), split(p.z));
+        let (sy, sz) = (s_curve(fy), s_curve(fz));
         let h = |i: usize| usize::from(HASH[i & 8191]);
-        let mut corners = [0; 8];
-        for dx in 0..2 {
-            let hx = h(ix + dx);
-            for dy in 0..2 {
-                let hy = h(hx ^ (iy + dy));
-                for dz in 0..2 {
-                    corners[4 * dx + 2 * dy + dz] = h(hy ^ (iz + dz)) & 255;
+        let (x0, x1) = (h(ix), h(ix + 1));
+        let sides = [h(x0 ^ iy), h(x0 ^ (iy + 1)), h(x1 ^ iy), h(x1 ^ (iy + 1))];
+        let corners = std::array::from_fn(|i| h(sides[i / 2] ^ (iz + i % 2)) & 255);
+        let factor = |wy: f64, wz: f64, fy: f64, fz: f64| {
+            let w = wy * wz;
+            [0.5 * w, w, w * fy, w * fz]
+        };
+        let factors = [
+            factor(1.0 - sy, 1.0 - sz, fy, fz),
+            factor(1.0 - sy, sz, fy, fz - 1.0),
+            factor(sy, 1.0 - sz, fy - 1.0, fz),
+            factor(sy, sz, fy - 1.0, fz - 1.0),
+        ];
+        Cell { corners, factors, fx, sx: s_curve(fx) }
+    }
+
+    /// Channel `M` at the point. Inlined always: what the corners share then stays in registers.
+    #[inline(always)]
+    fn channel<const M: usize>(&self) -> f64 {
+        let side = |first: usize| {
+            let mut sum = [0.0; 4];
+            for (corner, factor) in self.corners[first..first + 4].iter().zip(&self.factors) {
+                let at = (corner & 255) + 4 * M;
+                for k in 0..4 {
+                    sum[k] += VALUES[at + k] * factor[k];
                 }
             }
-        }
-        Cell { corners, f: Vec3::new(fx, fy, fz) }
-    }
-
-    /// Channel `m` at corner `(dx, dy, dz)`.
-    #[inline]
-    fn corner(&self, dx: usize, dy: usize, dz: usize, m: usize) -> f64 {
-        let first = (self.corners[4 * dx + 2 * dy + dz] & 255) + 4 * m;
-        0.5 * VALUES[first]
-            + VALUES[first + 1] * (self.f.x - dx as f64)
-            + VALUES[first + 2] * (self.f.y - dy as f64)
-            + VALUES[first + 3] * (self.f.z - dz as f64)
-    }
-
-    /// Channel `m` mixed between the corners.
-    #[inline]
-    fn mix(&self, m: usize, s: Vec3) -> f64 {
-        let along_z = |dx, dy| {
-            let (a, b) = (self.corner(dx, dy, 0, m), self.corner(dx, dy, 1, m));
-            a + s.z * (b - a)
+            sum
         };
-        let along_y = |dx| {
-            let (a, b) = (along_z(dx, 0), along_z(dx, 1));
-            a + s.y * (b - a)
-        };
-        let (a, b) = (along_y(0), along_y(1));
-        a + s.x * (b - a)
-    }
-
-    #[inline]
-    fn weights(&self) -> Vec3 {
-        Vec3::new(s_curve(self.f.x), s_curve(self.f.y), s_curve(self.f.z))
+        let ([value, x, y, z], [value1, x1, y1, z1]) = (side(0), side(4));
+        let near = (value + y) + (z + x * self.fx);
+        let far = (value1 + y1) + (z1 + x1 * (self.fx - 1.0));
+        near + self.sx * (far - near)
     }
 }
 
 /// Raw scalar noise, about -0.95 to 0.95.
 #[inline]
 pub(super) fn scalar(p: Vec3) -> f64 {
-    let cell = Cell::at(p);
-    cell.mix(0, cell.weights())
+    Cell::at(p).channel::<0>()
 }
 
 /// Vector noise at a point: three channels of lattice noise, each about -1 to 1, the same for every generator.
 pub fn dnoise(p: Vec3) -> Vec3 {
     let cell = Cell::at(p);
-    let s = cell.weights();
-    Vec3::new(cell.mix(0, s), cell.mix(1, s), cell.mix(2, s))
+    Vec3::new(cell.channel::<0>(), cell.channel::<1>(), cell.channel::<2>())
 }

@@ -50,7 +50,7 @@ impl World {
     }
 
     /// The relative index that Fresnel's formula wants: of what lies behind the surface over what lies before it.
-    pub(super) fn fresnel_index(&self, list: &Interiors, id: InteriorId) -> f64 {
+    pub(crate) fn fresnel_index(&self, list: &Interiors, id: InteriorId) -> f64 {
         let ior = self.interior(id).ior;
         let last = list.last().map(|&id| self.interior(id).ior);
         match (last, list.contains(&id)) {

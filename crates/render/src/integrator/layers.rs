@@ -99,7 +99,7 @@ impl Tracer<'_> {
         }
         let lit = match &self.radiosity {
             Some(state) if state.skips_lights() => Rgb::ZERO,
-            _ => self.local_light(point, finish, n, color.rgb, opacity),
+            _ => self.light_of_lights(point, finish, n, color.rgb, opacity),
         };
         let thrown = match &self.photons {
             Some(_) => self.photon_light(point, finish, n, color.rgb, opacity, &mut stack.photons),
@@ -117,6 +117,28 @@ impl Tracer<'_> {
             stack.mirrors.push(mirror);
         }
         stack.through = grey(stack.filter).abs().min(1.0);
+    }
+
+    /// What a layer sends back of the light of lights. Light from under the surface takes the place of diffuse light.
+    fn light_of_lights(
+        &mut self,
+        point: &SurfacePoint<'_>,
+        finish: &Finish,
+        n: Vec3,
+        rgb: Rgb,
+        opacity: f32,
+    ) -> Rgb {
+        let below = match finish.subsurface {
+            Some(_) => self.light_from_below(point, finish, n, rgb),
+            None => None,
+        };
+        match below {
+            Some(below) => {
+                let shiny = Finish { diffuse: 0.0, diffuse_back: 0.0, ..*finish };
+                below + self.local_light(point, &shiny, n, rgb, opacity)
+            }
+            None => self.local_light(point, finish, n, rgb, opacity),
+        }
     }
 
     /// What a layer sends back of the light of other surfaces, before it is tinted.

@@ -4,7 +4,7 @@ mod interiors;
 mod layers;
 mod local;
 pub(crate) mod reflection;
-mod refraction;
+pub(crate) mod refraction;
 pub(crate) mod surface;
 mod textures;
 
@@ -121,6 +121,8 @@ pub struct Tracer<'w> {
     pub radiosity: Option<radiosity::State<'w>>,
     /// Photons, where the scene has them.
     pub photons: Option<photons::State<'w>>,
+    /// How often light in work was scattered under surfaces.
+    pub(crate) scatter_depth: u32,
     /// Light that arrives at the surface points in work, by light, each once for all layers.
     arriving: Vec<Option<Rgb>>,
     pub(crate) area_scratch: AreaScratch,
@@ -142,6 +144,7 @@ impl<'w> Tracer<'w> {
             bailout: world.rules.bailout,
             radiosity: None,
             photons: None,
+            scatter_depth: 0,
             arriving: Vec::new(),
             area_scratch: AreaScratch::default(),
             stack_base: stack_position(),

@@ -118,7 +118,7 @@ fn grazing(cosine: f64, falloff: f32) -> f64 {
 
 /// The part of unpolarised light that a dielectric reflects (Fresnel's equations in the form of Cook and Torrance
 /// 1982); 1 beyond the critical angle.
-pub(super) fn fresnel(index: f64, cosine: f64) -> f64 {
+pub(crate) fn fresnel(index: f64, cosine: f64) -> f64 {
     let s = index * index + cosine * cosine - 1.0;
     if s <= 0.0 {
         return 1.0;

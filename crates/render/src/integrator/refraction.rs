@@ -93,7 +93,7 @@ fn through(point: &SurfacePoint<'_>, dir: Vec3, weight: f32, crossing: &Crossing
 }
 
 /// Snell's law for unit vectors; `None` is total reflection.
-fn refracted_direction(d: Vec3, n: Vec3, eta: f64) -> Option<Vec3> {
+pub(crate) fn refracted_direction(d: Vec3, n: Vec3, eta: f64) -> Option<Vec3> {
     let cosine = d.dot(n);
     let (c, m) = if cosine <= 0.0 { (-cosine, n) } else { (cosine, -n) };
     let t = 1.0 + eta * eta * (c * c - 1.0);

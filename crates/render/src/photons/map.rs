@@ -46,7 +46,7 @@ impl Photon {
 /// A colour as three bytes with a common exponent. The exponent's byte overflows from 2^32 on.
 fn coarse(power: Rgb) -> Rgb {
     let brightest = power.max_element();
-    if !(brightest >= 1e-32) || !brightest.is_finite() {
+    if brightest.is_nan() || brightest < 1e-32 || brightest.is_infinite() {
         return Rgb::ZERO;
     }
     let mut exponent = brightest.log2().floor() as i32 + 1;

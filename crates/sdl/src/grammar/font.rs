@@ -7,6 +7,7 @@ use raggio_scene::{Contour, Curve2, CurveKind};
 use rustc_hash::FxHashMap;
 use ttf_parser::{Face, GlyphId, OutlineBuilder, PlatformId};
 
+use super::kern::Kerning;
 use super::spline;
 use crate::parser::{Parser, Result};
 
@@ -78,6 +79,7 @@ pub fn bytes(p: &mut Parser, name: &str) -> Result<Arc<[u8]>> {
 pub struct Font<'a> {
     face: Face<'a>,
     em: f64,
+    kerning: Kerning,
     outlines: RefCell<FxHashMap<GlyphId, Outline>>,
 }
 
@@ -86,7 +88,7 @@ pub struct Font<'a> {
 pub struct Outline {
     /// The contours, empty for blanks.
     pub contours: Arc<[Contour]>,
-    /// The least x of all its points.
+    /// The least x of all its points and of the box in its header; 0 for blanks.
     pub x_min: f64,
 }
 
@@ -95,7 +97,8 @@ impl<'a> Font<'a> {
     pub fn new(bytes: &'a [u8]) -> Option<Self> {
         let face = Face::parse(bytes, 0).ok()?;
         let em = f64::from(face.units_per_em());
-        Some(Font { face, em, outlines: RefCell::default() })
+        let kern = face.raw_face().table(ttf_parser::Tag::from_bytes(b"kern")).unwrap_or_default();
+        Some(Font { em, kerning: Kerning::new(kern), outlines: RefCell::default(), face })
     }
 
     /// The glyph of a character; unknown ones have glyph 0.
@@ -130,18 +133,9 @@ impl<'a> Font<'a> {
         f64::from(self.face.glyph_hor_side_bearing(glyph).unwrap_or(0)) / self.em
     }
 
-    /// How a pair of glyphs moves together, by the classic `kern` table.
+    /// How a pair of glyphs moves together.
     pub fn kerning(&self, left: GlyphId, right: GlyphId) -> Vec2 {
-        let mut kern = Vec2::ZERO;
-        let subtables = self.face.tables().kern.iter().flat_map(|table| table.subtables);
-        for subtable in subtables.filter(|table| table.horizontal && !table.variable) {
-            let amount = f64::from(subtable.glyphs_kerning(left, right).unwrap_or(0)) / self.em;
-            match subtable.has_cross_stream {
-                true => kern.y += amount,
-                false => kern.x += amount,
-            }
-        }
-        kern
+        self.kerning.of(left.0, right.0) / self.em
     }
 
     /// What a glyph looks like; each is made once.
@@ -150,13 +144,10 @@ impl<'a> Font<'a> {
             return outline.clone();
         }
         let mut pen = Pen { scale: 1.0 / self.em, ..Pen::default() };
-        let drawn = self.face.outline_glyph(glyph, &mut pen).is_some();
+        self.face.outline_glyph(glyph, &mut pen);
         let header = self.header_x_min(glyph).map_or(f64::INFINITY, |x| x / self.em);
-        let x_min = pen.x_min.min(header);
-        let outline = Outline {
-            contours: pen.contours.into(),
-            x_min: if drawn && x_min.is_finite() { x_min } else { 0.0 },
-        };
+        let x_min = if pen.contours.is_empty() { 0.0 } else { pen.x_min.min(header) };
+        let outline = Outline { contours: pen.contours.into(), x_min };
         self.outlines.borrow_mut().insert(glyph, outline.clone());
         outline
     }

@@ -20,6 +20,7 @@ mod image;
 mod interior;
 mod isosurface;
 mod julia;
+mod kern;
 mod light;
 mod maps;
 mod media;

@@ -21,6 +21,8 @@ pub(crate) enum Metric {
     Manhattan,
     /// Sum of the feature point's lead over the place, with signs: what `facets` makes of metric 1.
     Signed,
+    /// Sum of third powers.
+    Cubic,
     /// Sum of powers.
     Power(f64),
 }
@@ -31,6 +33,7 @@ impl Metric {
         match metric {
             2.0 => Metric::Euclid,
             1.0 => Metric::Manhattan,
+            3.0 => Metric::Cubic,
             m => Metric::Power(m),
         }
     }
@@ -40,36 +43,36 @@ impl Metric {
         if metric == 1.0 { Metric::Signed } else { Metric::new(metric) }
     }
 
+    /// What a difference along one axis adds to the power.
+    #[inline]
+    fn term(self, d: f64) -> f64 {
+        match self {
+            Metric::Euclid => d * d,
+            Metric::Manhattan => d.abs(),
+            Metric::Signed => -d,
+            Metric::Cubic => d.abs() * d * d,
+            Metric::Power(m) => d.abs().powf(m),
+        }
+    }
+
     #[inline]
     fn power(self, d: Vec3) -> f64 {
-        match self {
-            Metric::Euclid => d.length_squared(),
-            Metric::Manhattan => d.abs().element_sum(),
-            Metric::Signed => -d.element_sum(),
-            Metric::Power(m) => d.x.abs().powf(m) + d.y.abs().powf(m) + d.z.abs().powf(m),
-        }
+        self.term(d.x) + self.term(d.y) + self.term(d.z)
     }
 
     fn root(self, power: f64) -> f64 {
         match self {
             Metric::Euclid => power.sqrt(),
             Metric::Manhattan | Metric::Signed => power,
+            Metric::Cubic => power.cbrt(),
             Metric::Power(m) => power.powf(1.0 / m),
-        }
-    }
-
-    fn power_of(self, length: f64) -> f64 {
-        match self {
-            Metric::Euclid => length * length,
-            Metric::Manhattan | Metric::Signed => length,
-            Metric::Power(m) => length.abs().powf(m),
         }
     }
 
     /// Is a point never nearer than its cell?
     fn grows(self) -> bool {
         match self {
-            Metric::Euclid | Metric::Manhattan => true,
+            Metric::Euclid | Metric::Manhattan | Metric::Cubic => true,
             Metric::Signed => false,
             Metric::Power(m) => m > 0.0,
         }
@@ -86,6 +89,9 @@ struct Nearest<const N: usize> {
 
 /// Offsets of the 81 cells that count, the near ones first, each with its place in the order x, y, z ascending.
 static CELLS: [([i8; 3], u8); 81] = cells();
+
+/// As many of them touch the middle one or are it.
+const NEAR_CELLS: usize = 27;
 
 const fn cells() -> [([i8; 3], u8); 81] {
     let mut out = [([0; 3], 0); 81];
@@ -126,14 +132,18 @@ impl<const N: usize> Nearest<N> {
     fn search(q: Vec3, metric: Metric) -> Self {
         let base = (q - Vec3::splat(EPS)).floor();
         let f = q - base;
-        // The distance to the slab of cells two below .. two above, per axis.
-        let gap = |f: f64| [f + 1.0, f, 0.0, 1.0 - f, 2.0 - f];
+        // What the way to the slab of cells two below .. two above adds at least, per axis.
+        let gap = |f: f64| [f + 1.0, f, 0.0, 1.0 - f, 2.0 - f].map(|d| metric.term(d));
         let gaps = [gap(f.x), gap(f.y), gap(f.z)];
+        let far = gaps.iter().fold(f64::INFINITY, |least, gap| least.min(gap[0]).min(gap[4]));
         let prune = metric.grows();
         let mut nearest = Nearest { powers: [f64::INFINITY; N], point: base, order: usize::MAX };
-        for (d, order) in &CELLS {
+        for (i, (d, order)) in CELLS.iter().enumerate() {
             let gap = |k: usize| gaps[k][(d[k] + 2) as usize];
-            if prune && metric.power(Vec3::new(gap(0), gap(1), gap(2))) > nearest.powers[N - 1] {
+            if prune && i == NEAR_CELLS && far > nearest.powers[N - 1] {
+                break;
+            }
+            if prune && gap(0) + gap(1) + gap(2) > nearest.powers[N - 1] {
                 continue;
             }
             let cell = base + Vec3::new(f64::from(d[0]), f64::from(d[1]), f64::from(d[2]));
@@ -174,7 +184,7 @@ impl Crackle {
         }
         let mut powers = Nearest::<3>::search(p, self.metric).powers;
         if self.offset != 0.0 {
-            powers = powers.map(|power| power + self.metric.power_of(self.offset));
+            powers = powers.map(|power| power + self.metric.term(self.offset));
         }
         let distance = |k: usize| if self.form[k] == 0.0 { 0.0 } else { self.metric.root(powers[k]) };
         self.form.dot(Vec3::new(distance(0), distance(1), distance(2))).clamp(0.0, 1.0)

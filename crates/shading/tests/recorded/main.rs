@@ -2,5 +2,6 @@
 mod normals;
 mod patterns;
 mod pigments;
+mod plane;
 mod statement;
 mod surface;
