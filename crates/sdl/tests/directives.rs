@@ -157,7 +157,8 @@ fn macros_return_text() {
 fn parameters_go_by_reference_or_value() {
     says("#declare A=1; #macro M(P) #declare P=5; #end M(A) Say(A)", "5");
     says("#declare A=1; #macro M(P) #declare P=5; #end M(A+0) M((A)) M(-A) Say(A)", "1");
-    says("#declare A=1; #macro M(P) #local P=5; Say(P) #end M(A) Say(A)", "5 1");
+    says("#declare A=1; #macro M(P) #local P=5; Say(P) #end M(A) Say(A)", "5 5");
+    says("#declare A=1; #macro N() #local P=5; #end #macro M(P) N() Say(P) #end M(A) Say(A)", "1 1");
     says("#declare A=array[2]{1,2} #macro M(P) #declare P=5; #end M(A[1]) Say(A[1])", "5");
     says("#declare A=1; #macro N(Q) #declare Q=Q+1; #end #macro M(P) N(P) N(P) #end M(A) Say(A)", "3");
     says("#declare A=<1,2,3>; #macro M(P) #declare P=5; #end M(A.x) Say(A.x)", "1");

@@ -229,7 +229,9 @@ impl Parser<'_> {
         if step.abs() < EPS {
             return self.error("zero-step", "the step of #for is zero", span);
         }
-        let variable = self.scopes.bind(symbol, table);
+        let own = self.scopes.bind(symbol, table);
+        let place = self.slot_place(own);
+        let variable = if place.path.is_empty() { place.slot } else { own };
         *self.scopes.entry_mut(variable) = Entry::Value(Value::Float(first));
         if !in_range(first, last, step) {
             return self.skip_to_end(d);

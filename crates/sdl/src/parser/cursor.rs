@@ -45,6 +45,8 @@ pub enum Stop {
 pub struct Cursor {
     /// The token looked at but not consumed.
     pub ahead: Option<Tok>,
+    /// Was that the raw token before the walk's place, and nothing more?
+    pub ahead_alone: bool,
     /// File of the token last looked at.
     pub at_file: FileId,
     /// First byte of it.
@@ -69,6 +71,7 @@ impl Cursor {
         let (at_file, end) = (file.file, file.tokens.len() as u32);
         Cursor {
             ahead: None,
+            ahead_alone: false,
             at_file,
             at: 0,
             place: Place::variable(0),
@@ -133,6 +136,7 @@ impl Parser<'_> {
                 Lexeme::Error(i) => return self.lex_error(i, pos),
             };
             self.cursor.ahead = Some(tok);
+            self.cursor.ahead_alone = self.cursor.frame.pos == pos + 1;
             return Ok(tok);
         }
     }
@@ -293,6 +297,20 @@ impl Parser<'_> {
             value = array.items.get(index as usize)?.as_ref()?;
         }
         Some(value)
+    }
+
+    /// The value of a name, if it has one that can be had without saying or changing anything.
+    #[inline]
+    pub(super) fn plain_value(&self, symbol: Symbol) -> Option<&Value> {
+        let slot = self.scopes.lookup(symbol)?;
+        if self.scopes.is_deprecated(slot) {
+            return None;
+        }
+        match self.scopes.entry(slot) {
+            Entry::Value(value) => Some(value),
+            Entry::Ref(place) => self.value_at(place),
+            Entry::Undeclared | Entry::Macro(_) => None,
+        }
     }
 
     /// The value of the `Tok::Value` last looked at.

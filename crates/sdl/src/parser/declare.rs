@@ -3,7 +3,9 @@ use std::sync::Arc;
 
 use raggio_diag::Span;
 
+use super::compiled::Level;
 use super::cursor::Stop;
+use super::expr::value_of;
 use super::scope::{Deprecation, Entry, Place};
 use super::symbol::Symbol;
 use super::token::Lexeme;
@@ -191,6 +193,11 @@ impl Parser<'_> {
 
     /// The right side of a declaration: what follows it is not executed before the name is bound.
     fn right_side(&mut self) -> Result<Value> {
+        if self.lang() >= 350
+            && let Some(value) = self.compiled(Level::Additive)
+        {
+            return Ok(value_of(value));
+        }
         let frame = self.cursor.callers.len();
         self.peek()?;
         let numeric = self.at_expression()? || self.at_color_word()?;
@@ -206,8 +213,10 @@ impl Parser<'_> {
         let place = match target {
             Target::Place(place) => place,
             Target::Global(symbol) => Place::variable(self.scopes.bind(symbol, 0)),
+            // A parameter given by reference is written through, by #local as well.
             Target::Local(symbol, table) => {
-                Place::variable(self.scopes.bind(symbol, table.min(self.scopes.depth())))
+                let slot = self.scopes.bind(symbol, table.min(self.scopes.depth()));
+                self.slot_place(slot)
             }
         };
         self.store(&place, value, span)?;

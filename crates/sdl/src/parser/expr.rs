@@ -1,6 +1,7 @@
 //! Expressions (language spec, section 2.1).
 use raggio_diag::Span;
 
+use super::compiled::Level;
 use super::cursor::Stop;
 use super::num::{Num, equal, truth};
 use super::{Parser, Result, Tok};
@@ -28,6 +29,9 @@ impl Parser<'_> {
 
     /// `logical [? full : full]`; every branch is evaluated.
     pub fn full(&mut self) -> Result<Num> {
+        if let Some(value) = self.compiled(Level::Full) {
+            return Ok(value);
+        }
         let condition = self.logical()?;
         if self.operator()? != Tok::Punct('?') {
             return Ok(condition);
@@ -110,6 +114,9 @@ impl Parser<'_> {
         {
             self.cursor.ahead = None;
             return Ok(Num::float(x));
+        }
+        if let Some(value) = self.compiled(Level::Additive) {
+            return Ok(value);
         }
         if self.lang() < 150 {
             return self.factor();

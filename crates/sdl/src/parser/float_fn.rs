@@ -6,7 +6,7 @@ use crate::value::{Kind, Value};
 use raggio_math::EPS;
 
 /// Functions of one number that are defined everywhere, or give NaN like the arithmetic does.
-fn unary(kw: Kw) -> Option<fn(f64) -> f64> {
+pub fn unary(kw: Kw) -> Option<fn(f64) -> f64> {
     Some(match kw {
         Kw::Abs => f64::abs,
         Kw::Ceil => f64::ceil,

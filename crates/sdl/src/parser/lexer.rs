@@ -19,6 +19,7 @@ pub fn lex(file: FileId, text: Arc<[u8]>, symbols: &mut Symbols) -> Lexed {
         strings: Vec::new(),
         directives: Vec::new(),
         errors: Vec::new(),
+        cache: Default::default(),
         marked_utf8: text.first().is_some_and(|&b| b > 127),
     };
     let mut lexer = Lexer { text: &text, at: 0, out: lexed, symbols };

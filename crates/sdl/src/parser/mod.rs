@@ -6,6 +6,7 @@ mod array;
 mod builder;
 mod call;
 mod color;
+mod compiled;
 mod control;
 mod cursor;
 mod datetime;

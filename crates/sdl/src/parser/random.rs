@@ -4,6 +4,8 @@
 #[derive(Debug, Default)]
 pub struct Streams {
     states: Vec<u32>,
+    /// Streams drawn from since [`Streams::remember`], with their states before.
+    drawn: Vec<(usize, u32)>,
 }
 
 impl Streams {
@@ -19,7 +21,20 @@ impl Streams {
             return None;
         }
         let state = &mut self.states[index as usize];
+        self.drawn.push((index as usize, *state));
         *state = state.wrapping_mul(1_812_433_253).wrapping_add(12_345);
         Some(f64::from(*state) / f64::from(u32::MAX))
+    }
+
+    /// The states that [`Streams::restore`] goes back to.
+    pub fn remember(&mut self) {
+        self.drawn.clear();
+    }
+
+    /// Takes back every draw since [`Streams::remember`].
+    pub fn restore(&mut self) {
+        while let Some((index, state)) = self.drawn.pop() {
+            self.states[index] = state;
+        }
     }
 }

@@ -180,6 +180,12 @@ impl Scopes {
         self.bindings[slot as usize].deprecation = Some(Box::new(deprecation));
     }
 
+    /// Is there something to say about the use of this name?
+    #[inline]
+    pub fn is_deprecated(&self, slot: Slot) -> bool {
+        self.bindings[slot as usize].deprecation.is_some()
+    }
+
     /// What to say about the use of a deprecated name.
     #[inline]
     pub fn deprecation(&mut self, slot: Slot) -> Option<Option<String>> {

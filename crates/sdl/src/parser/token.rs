@@ -1,4 +1,5 @@
 //! A file as compact tokens, and the table that says where skipped branches end.
+use std::cell::RefCell;
 use std::sync::Arc;
 
 use raggio_diag::FileId;
@@ -111,6 +112,8 @@ pub struct Lexed {
     pub directives: Vec<Directive>,
     /// What could not be read, where, raised when the walk comes there.
     pub errors: Vec<LexError>,
+    /// Expressions of it that have been met in loops and macros.
+    pub cache: RefCell<super::compiled::Cache>,
     /// Does the text begin with bytes over 127 (a byte order mark)?
     pub marked_utf8: bool,
 }
