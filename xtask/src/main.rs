@@ -1,2 +1,59 @@
-//! xtask
-fn main() {}
+//! The house's own tools: `cargo xtask tidy | conformance | bench | speed-parse`. No other crate may depend on this one.
+
+mod args;
+mod bench;
+mod conformance;
+mod picture;
+mod process;
+mod tidy;
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+const USAGE: &str = "\
+usage: cargo xtask <command>
+
+  tidy
+      floors of the workspace, sizes of files and functions, headings, leftovers
+  conformance FOLDER [--povray] [--jobs N] [--filter TEXT] [--size 160x120]
+              [--references FOLDER] [--library FOLDER] [--binary FILE]
+      every scene below the folder with our renderer and with POV-Ray, compared by FLIP;
+      --povray makes missing references, --references takes finished ones
+  bench FOLDER [--filter TEXT] [--runs 3] [--threads 2] [--binary FILE]
+      whole-process times against POV-Ray for the scenes in benches/speed.txt
+  speed-parse [--runs 3] [--binary FILE]
+      the same for scenes/bench/parse-*.pov, whose time goes into reading
+";
+
+fn main() -> ExitCode {
+    let mut words = std::env::args().skip(1);
+    let command = words.next().unwrap_or_default();
+    let rest: Vec<String> = words.collect();
+    let outcome = match command.as_str() {
+        "tidy" => tidy::run(&rest),
+        "conformance" => conformance::run(&rest),
+        "bench" => bench::speed(&rest),
+        "speed-parse" => bench::parse(&rest),
+        _ => Err(USAGE.to_string()),
+    };
+    match outcome {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(message) => {
+            eprintln!("{message}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// The root of the workspace: this crate's folder's parent.
+fn root_folder() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).parent().map_or_else(|| PathBuf::from("."), PathBuf::from)
+}
+
+/// Where builds and results go.
+fn target_folder() -> Result<PathBuf, String> {
+    match std::env::var_os("CARGO_TARGET_DIR") {
+        Some(folder) => std::path::absolute(folder).map_err(|e| format!("CARGO_TARGET_DIR: {e}")),
+        None => Ok(root_folder().join("target")),
+    }
+}

@@ -10,6 +10,7 @@
 
 mod build;
 mod kernel;
+pub mod mesh;
 mod node;
 mod round;
 mod traverse;

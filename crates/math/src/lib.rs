@@ -6,6 +6,7 @@
 
 mod aabb;
 pub mod noise;
+pub mod poly;
 mod ray;
 pub mod transform;
 

@@ -1,12 +1,36 @@
 //! Every kind of shape, one file each; registered here once.
+mod bicubic;
+mod blob;
 mod box_;
+mod collect;
 mod cone;
+mod container;
 mod disc;
+mod height_field;
+mod hypercomplex;
+mod isosurface;
+mod julia;
+mod lathe;
 mod mesh;
+mod outline;
+mod ovus;
+mod parametric;
+mod parts;
 mod plane;
+mod poly;
 mod polygon;
+mod prism;
 mod quadric;
+mod quaternion;
+#[cfg(test)]
+mod recorded_tests;
+mod revolve;
+mod sor;
 mod sphere;
+mod sphere_sweep;
+mod superellipsoid;
+mod text;
+mod torus;
 mod triangle;
 
 use raggio_math::{Aabb, Affine, Ray, Vec2, Vec3};
@@ -64,14 +88,29 @@ macro_rules! shape_kinds {
 
 // Kinds with more than some 200 bytes of their own belong in a `Box`, so that small ones stay small.
 shape_kinds! {
+    Bicubic(Box<bicubic::Bicubic>),
+    Blob(blob::Blob),
     Box(Cuboid),
     Cone(Box<Cone>),
     Disc(Disc),
+    HeightField(Box<height_field::HeightField>),
+    Isosurface(Box<isosurface::Isosurface>),
+    Julia(Box<julia::Julia>),
+    Lathe(lathe::Lathe),
     Mesh(Box<MeshShape>),
+    Ovus(ovus::Ovus),
+    Parametric(Box<parametric::Parametric>),
     Plane(Plane),
+    Poly(poly::Poly),
     Polygon(Box<Polygon>),
+    Prism(Box<prism::Prism>),
     Quadric(Box<Quadric>),
+    Sor(sor::Sor),
     Sphere(Sphere),
+    SphereSweep(sphere_sweep::SphereSweep),
+    Superellipsoid(superellipsoid::Superellipsoid),
+    Text(text::Text),
+    Torus(torus::Torus),
     Triangle(Box<Triangle>),
 }
 
@@ -95,21 +134,31 @@ pub(crate) fn build(shape: &Shape) -> Result<ShapeKind, BuildError> {
         Shape::SmoothTriangle { points, normals } => triangle(points, Some(normals), &Affine::IDENTITY),
         Shape::Polygon { loops } => ShapeKind::Polygon(Box::new(Polygon::new(loops))),
         Shape::Mesh(mesh) => ShapeKind::Mesh(Box::new(MeshShape::new(mesh))),
-        Shape::Torus { .. } => return Err(BuildError::Unsupported("torus")),
-        Shape::Poly { .. } => return Err(BuildError::Unsupported("poly")),
-        Shape::Superellipsoid { .. } => return Err(BuildError::Unsupported("superellipsoid")),
-        Shape::Ovus { .. } => return Err(BuildError::Unsupported("ovus")),
-        Shape::BicubicPatch { .. } => return Err(BuildError::Unsupported("bicubic_patch")),
-        Shape::HeightField(_) => return Err(BuildError::Unsupported("height_field")),
-        Shape::Blob(_) => return Err(BuildError::Unsupported("blob")),
-        Shape::Julia(_) => return Err(BuildError::Unsupported("julia_fractal")),
-        Shape::Lathe { .. } => return Err(BuildError::Unsupported("lathe")),
-        Shape::Sor { .. } => return Err(BuildError::Unsupported("sor")),
-        Shape::Prism(_) => return Err(BuildError::Unsupported("prism")),
-        Shape::SphereSweep { .. } => return Err(BuildError::Unsupported("sphere_sweep")),
-        Shape::Text { .. } => return Err(BuildError::Unsupported("text")),
-        Shape::Isosurface(_) => return Err(BuildError::Unsupported("isosurface")),
-        Shape::Parametric(_) => return Err(BuildError::Unsupported("parametric")),
+        Shape::Torus { major, minor } => ShapeKind::Torus(torus::Torus::new(*major, *minor)),
+        Shape::Poly { degree, coefficients } => {
+            ShapeKind::Poly(poly::Poly::new(*degree, coefficients.clone()))
+        }
+        Shape::Superellipsoid { e, n } => {
+            ShapeKind::Superellipsoid(superellipsoid::Superellipsoid::new(*e, *n))
+        }
+        Shape::Ovus { bottom, top } => ShapeKind::Ovus(ovus::Ovus::new(*bottom, *top)),
+        Shape::BicubicPatch { flatness, u_steps, v_steps, points, uv, .. } => {
+            ShapeKind::Bicubic(Box::new(bicubic::Bicubic::new(points, *flatness, *u_steps, *v_steps, *uv)))
+        }
+        Shape::HeightField(field) => {
+            ShapeKind::HeightField(Box::new(height_field::HeightField::new(field.clone())))
+        }
+        Shape::Blob(blob) => ShapeKind::Blob(blob::Blob::new(blob, &Affine::IDENTITY)),
+        Shape::Julia(julia) => ShapeKind::Julia(Box::new(julia::Julia::new(julia))),
+        Shape::Lathe { curves, .. } => ShapeKind::Lathe(lathe::Lathe::new(curves)),
+        Shape::Sor { points, open } => ShapeKind::Sor(sor::Sor::new(points, *open)),
+        Shape::Prism(prism) => ShapeKind::Prism(Box::new(prism::Prism::new(prism))),
+        Shape::SphereSweep { kind, spheres, tolerance } => {
+            ShapeKind::SphereSweep(sphere_sweep::SphereSweep::new(*kind, spheres, *tolerance))
+        }
+        Shape::Text { glyphs, depth } => ShapeKind::Text(text::Text::new(glyphs, *depth)),
+        Shape::Isosurface(iso) => isosurface(iso, &Affine::IDENTITY),
+        Shape::Parametric(p) => ShapeKind::Parametric(Box::new(parametric::Parametric::new(p))),
     })
 }
 
@@ -122,8 +171,23 @@ pub(crate) fn moved(shape: &Shape, world_from_object: &Affine) -> Option<ShapeKi
     match shape {
         Shape::Triangle { points } => Some(triangle(points, None, world_from_object)),
         Shape::SmoothTriangle { points, normals } => Some(triangle(points, Some(normals), world_from_object)),
+        // Their least distance and accuracy are measured in the world.
+        Shape::Blob(blob) if !is_rigid(world_from_object) => {
+            Some(ShapeKind::Blob(blob::Blob::new(blob, world_from_object)))
+        }
+        Shape::Isosurface(iso) if !is_rigid(world_from_object) => Some(isosurface(iso, world_from_object)),
         _ => None,
     }
+}
+
+fn isosurface(iso: &raggio_scene::Isosurface, place: &Affine) -> ShapeKind {
+    ShapeKind::Isosurface(Box::new(isosurface::Isosurface::new(iso, place)))
+}
+
+/// Does the transform keep all distances?
+fn is_rigid(t: &Affine) -> bool {
+    let product = t.matrix3.transpose() * t.matrix3;
+    product.abs_diff_eq(raggio_math::Mat3::IDENTITY, 1e-9)
 }
 
 /// Shapes that `inverse` changes in themselves; `None` for all others, whose inside and normal are turned by whoever
@@ -140,9 +204,11 @@ pub(crate) fn inverse(shape: &Shape) -> Option<ShapeKind> {
 impl ShapeKind {
     /// The textures at a point of a surface whose parts have textures of their own: numbers of the scene's data and
     /// their shares. Nothing where the object's own texture counts.
-    pub(crate) fn part_uses(&self, _p: Vec3, hit: &LocalHit, out: &mut PartUses) {
-        if let ShapeKind::Mesh(mesh) = self {
-            mesh.part_uses(hit, out);
+    pub(crate) fn part_uses(&self, p: Vec3, hit: &LocalHit, out: &mut PartUses) {
+        match self {
+            ShapeKind::Mesh(mesh) => mesh.part_uses(hit, out),
+            ShapeKind::Blob(blob) => blob.weights(p, out),
+            _ => {}
         }
     }
 }

@@ -1,0 +1,6 @@
+// Faces that lie in one plane.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 0.5, -5> look_at 0 angle 55 }
+light_source { <3, 5, -6>, rgb 1 }
+difference { box { <-1.5, -1, -1>, <1.5, 1, 1> } box { <-0.5, -1, -1>, <0.5, 0.2, 1> } rotate <15, 30, 0> pigment { rgb <0.75, 0.55, 0.35> } finish { phong 0.4 } }

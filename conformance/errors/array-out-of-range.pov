@@ -1,0 +1,3 @@
+// error[array-subscript] 3:15
+#declare A = array[3] { 1, 2, 3 }
+sphere { 0, A[3] }

@@ -1,0 +1,2 @@
+// error[array-size] 2:20
+#declare A = array[0];

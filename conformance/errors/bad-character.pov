@@ -1,0 +1,2 @@
+// error[unexpected] 2:17 @
+sphere { 0, 1 } @

@@ -1,0 +1,2 @@
+// error[bad-escape] 2:8
+#debug "a \q b"

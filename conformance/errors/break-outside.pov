@@ -1,0 +1,2 @@
+// error[unexpected-directive] 2:1 #break
+#break

@@ -1,0 +1,2 @@
+// error[unexpected] 2:1
+rgb 1

@@ -1,0 +1,3 @@
+// error[nested-too-deeply] 2:12
+#macro M() M() #end
+M()

@@ -1,0 +1,3 @@
+// error[unexpected] 3:1 }
+sphere { 0, 1 }
+}

@@ -1,0 +1,2 @@
+// error[empty-object] 2:12 isosurface
+isosurface { }

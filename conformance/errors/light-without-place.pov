@@ -1,0 +1,2 @@
+// error[expected] 2:16
+light_source { rgb 1 }

@@ -1,0 +1,3 @@
+// error[unknown-identifier] 3:6 Size
+#macro Ball(R) sphere { 0, R } #end
+Ball(Size)

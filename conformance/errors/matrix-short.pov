@@ -1,0 +1,2 @@
+// error[expected] 2:48
+sphere { 0, 1 matrix <1, 0, 0, 0, 1, 0, 0, 0, 1> }

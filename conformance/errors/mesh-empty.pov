@@ -1,0 +1,2 @@
+// error[empty-object] 2:6 mesh
+mesh { }

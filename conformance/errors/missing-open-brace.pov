@@ -1,0 +1,2 @@
+// error[expected] 2:8 {
+sphere 0, 1 }

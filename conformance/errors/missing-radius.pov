@@ -1,0 +1,2 @@
+// error[expected] 2:12
+sphere { 0 }

@@ -1,0 +1,2 @@
+// error[expected] 2:8 string
+#debug 42

@@ -1,0 +1,2 @@
+// error[expected] 2:19
+poly { 2, <1, 2, 3> }

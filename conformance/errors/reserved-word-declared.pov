@@ -1,0 +1,2 @@
+// error[reserved-word] 2:10 sphere
+#declare sphere = 1;

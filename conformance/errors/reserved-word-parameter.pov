@@ -1,0 +1,2 @@
+// error[reserved-word] 2:10 red
+#macro M(red) #end

@@ -1,0 +1,2 @@
+// error[empty-spline] 2:14
+#declare S = spline { linear_spline }

@@ -1,0 +1,2 @@
+// error[expected] 2:13
+sphere { 0, "one" }

@@ -1,0 +1,2 @@
+// error[expected] 2:8 ttf
+text { "a" "b" 1, 0 }

@@ -1,0 +1,3 @@
+// error[unclosed-comment] 2:1 */
+/* no end
+sphere { 0, 1 }

@@ -1,0 +1,2 @@
+// error[unknown-identifier] 2:13 Radius
+sphere { 0, Radius }

@@ -1,0 +1,2 @@
+// error[unknown-identifier] 2:1 sphree
+sphree { 0, 1 }

@@ -1,0 +1,6 @@
+// average of normals.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 0.5, -5> look_at 0 angle 55 }
+light_source { <3, 5, -6>, rgb 1 }
+sphere { 0, 1.5 pigment { rgb <0.7, 0.7, 0.75> } finish { phong 0.6 phong_size 30 } normal { average normal_map { [1 bumps 1 scale 0.3] [2 ripples 0.6 scale 0.2] } } }

@@ -1,0 +1,6 @@
+// A smooth height field from a function image.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 0.5, -5> look_at 0 angle 55 }
+light_source { <3, 5, -6>, rgb 1 }
+height_field { function 24, 24 { 0.5 + 0.4*sin(9*x)*cos(7*y) } smooth translate <-0.5, 0, -0.5> scale <4, 1, 4> translate -y rotate <-25, 25, 0> pigment { rgb <0.75, 0.55, 0.35> } finish { phong 0.4 } }

@@ -1,0 +1,6 @@
+// An isosurface in a box.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 0.5, -5> look_at 0 angle 55 }
+light_source { <3, 5, -6>, rgb 1 }
+isosurface { function { x*x + y*y*1.5 + z*z - 1 + 0.2*sin(8*x)*sin(8*y)*sin(8*z) } contained_by { box { -1.4, 1.4 } } max_gradient 5 accuracy 0.001 scale 1.2 rotate <20, 30, 0> pigment { rgb <0.75, 0.55, 0.35> } finish { phong 0.4 } }

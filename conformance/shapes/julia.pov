@@ -1,0 +1,6 @@
+// A quaternion Julia set.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 0.5, -5> look_at 0 angle 55 }
+light_source { <3, 5, -6>, rgb 1 }
+julia_fractal { <-0.083, 0, -0.83, -0.025> quaternion sqr max_iteration 8 precision 15 scale 1.3 rotate <0, 40, 20> pigment { rgb <0.75, 0.55, 0.35> } finish { phong 0.4 } }

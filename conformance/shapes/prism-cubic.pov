@@ -1,0 +1,6 @@
+// A prism with a cubic outline, open.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 0.5, -5> look_at 0 angle 55 }
+light_source { <3, 5, -6>, rgb 1 }
+prism { cubic_spline -0.6, 0.6, 7 <0.8, -1>, <1, 0.6>, <-1, 0.8>, <-0.7, -0.9>, <0.8, -1>, <1, 0.6>, <-1, 0.8> open rotate <-50, 20, 0> pigment { rgb <0.75, 0.55, 0.35> } finish { phong 0.4 } }

@@ -1,0 +1,63 @@
+//! Messages of the modern door, for people or for programs, on standard error.
+use std::io::IsTerminal;
+
+use raggio::Failure;
+use raggio::diag::{Diagnostic, Sources};
+
+use crate::args::MessageFormat;
+
+/// Where messages go.
+#[derive(Clone, Copy)]
+pub(crate) struct Report {
+    format: MessageFormat,
+    color: bool,
+}
+
+impl Report {
+    pub(crate) fn new(format: MessageFormat) -> Self {
+        let color = std::io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none();
+        Report { format, color }
+    }
+
+    /// Are people reading?
+    pub(crate) fn human(&self) -> bool {
+        self.format == MessageFormat::Human
+    }
+
+    pub(crate) fn diagnostics(&self, list: &[Diagnostic], sources: &Sources) {
+        for diagnostic in list {
+            match self.format {
+                MessageFormat::Human => eprint!("{}", diagnostic.render(sources, self.color)),
+                MessageFormat::Json => eprintln!("{}", diagnostic.to_json(sources)),
+            }
+        }
+    }
+
+    pub(crate) fn failure(&self, failure: &Failure) {
+        self.diagnostics(&failure.diagnostics, &failure.sources);
+    }
+
+    /// A message without a place. `severity` is `error`, `warning` or `note`.
+    pub(crate) fn say(&self, severity: &str, message: &str) {
+        match self.format {
+            MessageFormat::Human => eprintln!("{severity}: {message}"),
+            MessageFormat::Json => {
+                let code = "program";
+                eprintln!(
+                    "{}",
+                    serde_json::json!({ "severity": severity, "code": code, "message": message })
+                );
+            }
+        }
+    }
+
+    /// What the scene says by `#debug`; it brings its own line ends.
+    pub(crate) fn debug(&self, text: &str) {
+        match self.format {
+            MessageFormat::Human => eprint!("{text}"),
+            MessageFormat::Json => {
+                eprintln!("{}", serde_json::json!({ "severity": "note", "code": "debug", "message": text }));
+            }
+        }
+    }
+}

@@ -1,0 +1,242 @@
+//! The blob: a level surface of the sum of fields around balls and rounded rods (shapes spec, section 4).
+//!
+//! Along a ray each component adds `strength * u^2` on a span where `u`, a quadratic, is positive. Between the ends of
+//! spans the sum is a quartic; it is made in Bernstein form, where most segments are seen at once to have no root.
+use raggio_math::{Aabb, Affine, Ray, Vec3, poly, transform};
+use raggio_scene::{BlobComponent, BlobShape};
+use smallvec::SmallVec;
+
+use super::collect::{Collect, searched_from};
+use super::parts::Parts;
+use crate::texturing::PartUses;
+use crate::{LocalHit, Surface};
+
+/// Blobs report no hit nearer than this, in the world.
+const LEAST: f64 = 1e-2;
+/// Field values this little below the threshold count as inside.
+const TOLERANCE: f64 = 1e-6;
+
+/// A blob, ready to be hit.
+pub(crate) struct Blob {
+    threshold: f64,
+    elements: Vec<Element>,
+    parts: Parts,
+}
+
+/// A component in a frame of its own where its radius is 1: a ball about the origin, or a rod from the origin along z.
+#[derive(Clone, Copy, Debug)]
+struct Element {
+    strength: f64,
+    unit_from_blob: Affine,
+    /// Length of a rod in radii; 0 for a ball.
+    length: f64,
+}
+
+/// Where a component acts along a ray: on `from..to`, with `u(t) = peak - bend (t - middle)^2`.
+#[derive(Clone, Copy, Debug)]
+struct Span {
+    from: f64,
+    to: f64,
+    strength: f64,
+    peak: f64,
+    bend: f64,
+    middle: f64,
+}
+
+type Spans = SmallVec<[Span; 16]>;
+
+impl Element {
+    fn new(component: &BlobComponent, world_from_blob: &Affine) -> Self {
+        let component_from_blob = (*world_from_blob * component.blob_from_component).inverse();
+        let (unit_from_component, length) = match component.shape {
+            BlobShape::Sphere { center, radius } => {
+                (transform::scale(Vec3::splat(1.0 / radius)) * transform::translate(-center), 0.0)
+            }
+            BlobShape::Cylinder { base, cap, radius } => {
+                let axis = (cap - base).try_normalize().unwrap_or(Vec3::Z);
+                let (x, y) = axis.any_orthonormal_pair();
+                let upright = Affine::from_mat3(raggio_math::Mat3::from_cols(x, y, axis).transpose());
+                let to_unit =
+                    transform::scale(Vec3::splat(1.0 / radius)) * upright * transform::translate(-base);
+                (to_unit, (cap - base).length() / radius)
+            }
+        };
+        Element {
+            strength: component.strength,
+            unit_from_blob: unit_from_component * component_from_blob,
+            length,
+        }
+    }
+
+    fn bounds(&self) -> Aabb {
+        if !self.unit_from_blob.is_finite() {
+            return Aabb::EMPTY;
+        }
+        let unit = Aabb::new(Vec3::splat(-1.0), Vec3::new(1.0, 1.0, 1.0 + self.length));
+        unit.transformed(&self.unit_from_blob.inverse())
+    }
+
+    /// The vector from the component's centre or axis to the point, in radii, and `u = 1 - |vector|^2`.
+    #[inline]
+    fn field(&self, p: Vec3) -> (Vec3, f64) {
+        let mut q = self.unit_from_blob.transform_point3(p);
+        q.z -= q.z.clamp(0.0, self.length);
+        (q, 1.0 - q.length_squared())
+    }
+
+    fn add_spans(&self, ray: &Ray, range: (f64, f64), out: &mut Spans) {
+        let unit = ray.transformed(&self.unit_from_blob);
+        let (o, d) = (unit.origin, unit.dir);
+        if self.length == 0.0 {
+            return self.add_span(o, d, range, out);
+        }
+        let end = Vec3::new(o.x, o.y, o.z - self.length);
+        if d.z == 0.0 {
+            let o = Vec3::new(o.x, o.y, o.z - o.z.clamp(0.0, self.length));
+            return self.add_span(o, d, range, out);
+        }
+        // Before the rod's nearer end, beside the rod, after its farther end.
+        let (base, cap) = (-o.z / d.z, (self.length - o.z) / d.z);
+        let (near, far, first, last) = if d.z > 0.0 { (base, cap, o, end) } else { (cap, base, end, o) };
+        let flat = |v: Vec3| Vec3::new(v.x, v.y, 0.0);
+        self.add_span(first, d, (range.0, range.1.min(near)), out);
+        self.add_span(flat(o), flat(d), (range.0.max(near), range.1.min(far)), out);
+        self.add_span(last, d, (range.0.max(far), range.1), out);
+    }
+
+    /// The span in which `o + t d` is nearer than 1 to the origin, cut to `range`.
+    fn add_span(&self, o: Vec3, d: Vec3, range: (f64, f64), out: &mut Spans) {
+        let bend = d.length_squared();
+        let middle = if bend > 0.0 { -o.dot(d) / bend } else { 0.0 };
+        let peak = 1.0 - (o + d * middle).length_squared();
+        if peak.is_nan() || peak <= 0.0 {
+            return;
+        }
+        let reach = (peak / bend).sqrt();
+        let (from, to) = (range.0.max(middle - reach), range.1.min(middle + reach));
+        if from < to {
+            out.push(Span { from, to, strength: self.strength, peak, bend, middle });
+        }
+    }
+}
+
+impl Span {
+    /// Adds `strength * u^2` on `a..=b` to Bernstein coefficients of degree 4.
+    #[inline]
+    fn add_to(&self, a: f64, b: f64, sum: &mut [f64; 5]) {
+        let (a, b) = (a - self.middle, b - self.middle);
+        let u0 = self.peak - self.bend * a * a;
+        let u1 = self.peak - self.bend * a * b;
+        let u2 = self.peak - self.bend * b * b;
+        let s = self.strength;
+        sum[0] += s * u0 * u0;
+        sum[1] += s * u0 * u1;
+        sum[2] += s * (2.0 * u1 * u1 + u0 * u2) / 3.0;
+        sum[3] += s * u1 * u2;
+        sum[4] += s * u2 * u2;
+    }
+}
+
+impl Blob {
+    /// A blob of the given components at its place: rays and points are then those of the world.
+    pub(crate) fn new(blob: &raggio_scene::Blob, world_from_blob: &Affine) -> Self {
+        let elements: Vec<_> = blob.components.iter().map(|c| Element::new(c, world_from_blob)).collect();
+        let boxes: Vec<_> = elements.iter().map(Element::bounds).collect();
+        Blob { threshold: blob.threshold, elements, parts: Parts::new(&boxes) }
+    }
+
+    fn search(&self, ray: &Ray, to: &mut impl Collect) {
+        let mut spans = Spans::new();
+        let range = to.range();
+        self.parts.visit_ray(ray, range, |i| {
+            self.elements[i].add_spans(ray, (f64::NEG_INFINITY, f64::INFINITY), &mut spans);
+            range.1
+        });
+        spans.retain(|s| s.to > range.0 && s.from < range.1);
+        spans.sort_unstable_by(|a, b| a.from.total_cmp(&b.from));
+        self.sweep(&spans, to);
+    }
+
+    /// Walks from one end of a span to the next, nearest first.
+    fn sweep(&self, spans: &[Span], to: &mut impl Collect) {
+        let mut active: SmallVec<[Span; 16]> = SmallVec::new();
+        let mut waiting = spans.iter().peekable();
+        let mut at = f64::NEG_INFINITY;
+        loop {
+            if active.is_empty() {
+                let Some(next) = waiting.peek() else { return };
+                at = next.from;
+            }
+            while let Some(span) = waiting.next_if(|s| s.from <= at) {
+                active.push(*span);
+            }
+            let end = active.iter().map(|s| s.to).fold(f64::INFINITY, f64::min);
+            let end = waiting.peek().map_or(end, |s| end.min(s.from));
+            if end > to.range().0 {
+                self.search_segment(&active, at, end, to);
+            }
+            if end >= to.range().1 {
+                return;
+            }
+            at = end;
+            active.retain(|s| s.to > at);
+        }
+    }
+
+    fn search_segment(&self, active: &[Span], a: f64, b: f64, to: &mut impl Collect) {
+        let mut sum = [-self.threshold; 5];
+        for span in active {
+            span.add_to(a, b, &mut sum);
+        }
+        for &s in poly::bernstein_roots(&sum).iter() {
+            to.push(LocalHit::at(a + s * (b - a)));
+        }
+    }
+
+    /// The share of each component in the field at a point: its index and its weight; the weights sum to 1. Empty where
+    /// no component reaches.
+    pub(crate) fn weights(&self, p: Vec3, out: &mut PartUses) {
+        out.clear();
+        let mut total = 0.0;
+        self.parts.visit_point(p, |i| {
+            let (_, u) = self.elements[i].field(p);
+            if u > 0.0 {
+                let weight = (self.elements[i].strength * u * u).abs();
+                total += weight;
+                out.push((i as u32, weight as f32));
+            }
+        });
+        out.retain(|(_, weight)| *weight > 0.0);
+        out.sort_unstable_by_key(|(i, _)| *i);
+        out.iter_mut().for_each(|(_, weight)| *weight /= total as f32);
+    }
+}
+
+impl Surface for Blob {
+    searched_from!(LEAST);
+
+    fn bounds(&self) -> Aabb {
+        self.parts.bounds()
+    }
+
+    fn inside(&self, p: Vec3) -> bool {
+        let mut sum = 0.0;
+        self.parts.visit_point(p, |i| {
+            let u = self.elements[i].field(p).1.max(0.0);
+            sum += self.elements[i].strength * u * u;
+        });
+        sum > self.threshold - TOLERANCE
+    }
+
+    fn normal(&self, p: Vec3, _hit: &LocalHit) -> Vec3 {
+        let mut out = Vec3::ZERO;
+        self.parts.visit_point(p, |i| {
+            let e = &self.elements[i];
+            let (q, u) = e.field(p);
+            if u > 0.0 {
+                out += transform::normal_by_inverse(&e.unit_from_blob, q) * (e.strength * u);
+            }
+        });
+        out.try_normalize().unwrap_or(Vec3::X)
+    }
+}

@@ -1,0 +1,84 @@
+//! Where the hits of a search go: all of them, or only the nearest.
+//!
+//! A shape writes its search once, against [`Collect`]; the search asks for the interval that still matters and can
+//! stop early when only the nearest hit is wanted.
+use crate::LocalHit;
+
+/// Takes hits.
+pub(crate) trait Collect {
+    /// Hits are wanted in this open interval; it may shrink with each hit taken.
+    fn range(&self) -> (f64, f64);
+    /// Takes a hit if it lies in the range.
+    fn push(&mut self, hit: LocalHit);
+    /// Takes a hit; are farther ones still wanted?
+    #[inline]
+    fn take(&mut self, hit: LocalHit) -> bool {
+        self.push(hit);
+        hit.t < self.range().1
+    }
+}
+
+/// Keeps every hit.
+pub(crate) struct All<'a> {
+    pub(crate) range: (f64, f64),
+    pub(crate) out: &'a mut Vec<LocalHit>,
+}
+
+impl Collect for All<'_> {
+    #[inline]
+    fn range(&self) -> (f64, f64) {
+        self.range
+    }
+    #[inline]
+    fn push(&mut self, hit: LocalHit) {
+        if self.range.0 < hit.t && hit.t < self.range.1 {
+            self.out.push(hit);
+        }
+    }
+}
+
+/// Keeps the nearest hit.
+pub(crate) struct Nearest {
+    range: (f64, f64),
+    best: Option<LocalHit>,
+}
+
+impl Nearest {
+    pub(crate) fn new(range: (f64, f64)) -> Self {
+        Nearest { range, best: None }
+    }
+    pub(crate) fn best(self) -> Option<LocalHit> {
+        self.best
+    }
+}
+
+impl Collect for Nearest {
+    #[inline]
+    fn range(&self) -> (f64, f64) {
+        self.range
+    }
+    #[inline]
+    fn push(&mut self, hit: LocalHit) {
+        if self.range.0 < hit.t && hit.t < self.range.1 {
+            self.range.1 = hit.t;
+            self.best = Some(hit);
+        }
+    }
+}
+
+/// Writes `hits` and `closest` of a [`crate::Surface`] for a shape with `fn search(&self, &Ray, &mut impl Collect)`.
+/// The number is the least distance at which the shape reports a hit.
+macro_rules! searched_from {
+    ($least:expr) => {
+        fn hits(&self, ray: &raggio_math::Ray, range: (f64, f64), out: &mut Vec<crate::LocalHit>) {
+            let range = crate::shapes::beyond(range, $least);
+            self.search(ray, &mut crate::shapes::collect::All { range, out });
+        }
+        fn closest(&self, ray: &raggio_math::Ray, range: (f64, f64)) -> Option<crate::LocalHit> {
+            let mut nearest = crate::shapes::collect::Nearest::new(crate::shapes::beyond(range, $least));
+            self.search(ray, &mut nearest);
+            nearest.best()
+        }
+    };
+}
+pub(crate) use searched_from;

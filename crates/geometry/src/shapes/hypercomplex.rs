@@ -1,0 +1,212 @@
+//! Hypercomplex numbers and their orbits, for Julia fractals.
+//!
+//! `x + iy + jz + kw` with ij = ji = k is the same as the pair of complex numbers `(x - w) + i(y + z)` and
+//! `(x + w) + i(y - z)`, on which everything acts one by one.
+use std::ops::{Add, Mul, Sub};
+
+use raggio_math::{Vec3, Vec4};
+use raggio_scene::JuliaFunction;
+
+/// A complex number.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Complex {
+    re: f64,
+    im: f64,
+}
+
+const ONE: Complex = Complex { re: 1.0, im: 0.0 };
+const I: Complex = Complex { re: 0.0, im: 1.0 };
+
+impl Add for Complex {
+    type Output = Complex;
+    fn add(self, o: Complex) -> Complex {
+        Complex { re: self.re + o.re, im: self.im + o.im }
+    }
+}
+
+impl Sub for Complex {
+    type Output = Complex;
+    fn sub(self, o: Complex) -> Complex {
+        Complex { re: self.re - o.re, im: self.im - o.im }
+    }
+}
+
+impl Mul for Complex {
+    type Output = Complex;
+    fn mul(self, o: Complex) -> Complex {
+        Complex { re: self.re * o.re - self.im * o.im, im: self.re * o.im + self.im * o.re }
+    }
+}
+
+impl Complex {
+    fn times(self, k: f64) -> Complex {
+        Complex { re: self.re * k, im: self.im * k }
+    }
+    fn inverse(self) -> Complex {
+        let size2 = self.re * self.re + self.im * self.im;
+        Complex { re: self.re / size2, im: -self.im / size2 }
+    }
+    fn exp(self) -> Complex {
+        let (sin, cos) = self.im.sin_cos();
+        Complex { re: cos, im: sin }.times(self.re.exp())
+    }
+    fn ln(self) -> Complex {
+        Complex { re: self.re.hypot(self.im).ln(), im: self.im.atan2(self.re) }
+    }
+    fn sqrt(self) -> Complex {
+        let size = self.re.hypot(self.im);
+        let (re, im) = ((0.5 * (size + self.re)).max(0.0).sqrt(), (0.5 * (size - self.re)).max(0.0).sqrt());
+        Complex { re, im: im.copysign(self.im) }
+    }
+    fn sinh(self) -> Complex {
+        (self.exp() - self.times(-1.0).exp()).times(0.5)
+    }
+    fn cosh(self) -> Complex {
+        (self.exp() + self.times(-1.0).exp()).times(0.5)
+    }
+    fn asinh(self) -> Complex {
+        (self + (self * self + ONE).sqrt()).ln()
+    }
+    fn acosh(self) -> Complex {
+        (self + (self + ONE).sqrt() * (self - ONE).sqrt()).ln()
+    }
+    fn atanh(self) -> Complex {
+        ((ONE + self).ln() - (ONE - self).ln()).times(0.5)
+    }
+    /// `-i f(i z)`, which turns a hyperbolic function into its circular sister.
+    fn circular(self, f: fn(Complex) -> Complex) -> Complex {
+        f(self * I) * I.times(-1.0)
+    }
+    /// Half the real part of `conj(self) * o`.
+    fn half_dot(self, o: Complex) -> f64 {
+        0.5 * (self.re * o.re + self.im * o.im)
+    }
+}
+
+/// A hypercomplex number as its pair of complex numbers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Hypercomplex(Complex, Complex);
+
+impl Hypercomplex {
+    /// From x, y, z, w.
+    pub(crate) fn from_vec(v: Vec4) -> Self {
+        Hypercomplex(Complex { re: v.x - v.w, im: v.y + v.z }, Complex { re: v.x + v.w, im: v.y - v.z })
+    }
+    fn each(self, f: impl Fn(Complex) -> Complex) -> Self {
+        Hypercomplex(f(self.0), f(self.1))
+    }
+    fn with(self, o: Self, f: impl Fn(Complex, Complex) -> Complex) -> Self {
+        Hypercomplex(f(self.0, o.0), f(self.1, o.1))
+    }
+    fn dot(self, o: Self) -> f64 {
+        self.0.half_dot(o.0) + self.1.half_dot(o.1)
+    }
+}
+
+/// What an orbit repeats, before it adds the parameter.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Map {
+    /// The square; also what POV-Ray computes for `cube`.
+    Square,
+    /// One over.
+    Reciprocal,
+    /// Any other function.
+    Function(JuliaFunction),
+}
+
+/// How an orbit ended.
+pub(crate) struct Orbit {
+    /// The squared size with which it escaped, if it did.
+    pub(crate) escaped: Option<f64>,
+    last: Hypercomplex,
+    /// The product that stands for the derivative.
+    product: Hypercomplex,
+}
+
+impl Orbit {
+    /// The direction in which the size of the last number grows, in x, y and z.
+    pub(crate) fn gradient(&self) -> Vec3 {
+        let product = self.product;
+        let along_y = product.each(|x| x * I);
+        let along_z = Hypercomplex(product.0 * I, product.1 * I.times(-1.0));
+        Vec3::new(self.last.dot(product), self.last.dot(along_y), self.last.dot(along_z))
+    }
+}
+
+impl Map {
+    /// The map of a function of the language.
+    pub(crate) fn of(function: JuliaFunction) -> Self {
+        match function {
+            JuliaFunction::Sqr | JuliaFunction::Cube => Map::Square,
+            JuliaFunction::Reciprocal => Map::Reciprocal,
+            other => Map::Function(other),
+        }
+    }
+
+    /// Where POV-Ray starts the orbit for the inside test and the normal: functions take y for z.
+    pub(crate) fn defective_start(self, q: Vec4) -> Vec4 {
+        match self {
+            Map::Function(_) => Vec4::new(q.x, q.y, q.y, q.w),
+            _ => q,
+        }
+    }
+
+    fn value(self, q: Hypercomplex) -> Hypercomplex {
+        match self {
+            Map::Square => q.each(|x| x * x),
+            Map::Reciprocal => q.each(Complex::inverse),
+            Map::Function(function) => q.each(|x| value(function, x)),
+        }
+    }
+
+    /// The factor of the product for one step at `q` whose value is `value`.
+    fn factor(self, q: Hypercomplex, value: Hypercomplex) -> Hypercomplex {
+        match self {
+            Map::Square => q.each(|x| x.times(2.0)),
+            Map::Reciprocal => value.each(|x| (x * x).times(-1.0)),
+            Map::Function(_) => value,
+        }
+    }
+
+    /// Follows the orbit of `q` for `steps` steps or until its squared size is more than `escape`.
+    pub(crate) fn orbit(self, mut q: Hypercomplex, c: Hypercomplex, steps: u32, escape: f64) -> Orbit {
+        let mut product = q;
+        for k in 0..steps {
+            let size2 = q.dot(q);
+            if size2.is_nan() || size2 > escape {
+                return Orbit { escaped: Some(size2), last: q, product };
+            }
+            let value = self.value(q);
+            // The first factor is the start itself.
+            if k > 0 {
+                product = product.with(self.factor(q, value), |a, b| a * b);
+            }
+            q = value.with(c, |a, b| a + b);
+        }
+        Orbit { escaped: None, last: q, product }
+    }
+}
+
+fn value(function: JuliaFunction, x: Complex) -> Complex {
+    use JuliaFunction as F;
+    match function {
+        F::Sqr => x * x,
+        F::Cube => x * x * x,
+        F::Reciprocal => x.inverse(),
+        F::Exp => x.exp(),
+        F::Ln => x.ln(),
+        F::Sinh => x.sinh(),
+        F::Cosh => x.cosh(),
+        F::Tanh => x.sinh() * x.cosh().inverse(),
+        F::Asinh => x.asinh(),
+        F::Acosh => x.acosh(),
+        F::Atanh => x.atanh(),
+        F::Sin => x.circular(Complex::sinh),
+        F::Cos => (x * I).cosh(),
+        F::Tan => x.circular(Complex::sinh) * (x * I).cosh().inverse(),
+        F::Asin => x.circular(Complex::asinh),
+        F::Acos => Complex { re: std::f64::consts::FRAC_PI_2, im: 0.0 } - x.circular(Complex::asinh),
+        F::Atan => x.circular(Complex::atanh),
+        F::Pwr(re, im) => (x.ln() * Complex { re, im }).exp(),
+    }
+}

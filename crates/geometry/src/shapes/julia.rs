@@ -1,0 +1,189 @@
+//! Julia fractals of quaternions and hypercomplex numbers (shapes spec, section 4).
+//!
+//! A point of space is lifted to four numbers by the slice; it is inside if its orbit stays bounded for a number of
+//! steps. Rays march by an estimate of the distance to the set and halve the step where they cross its border.
+use raggio_math::{Aabb, Ray, Vec3, Vec4, poly};
+use raggio_scene::{JuliaAlgebra, JuliaFunction};
+
+use super::collect::{Collect, searched_from};
+use super::hypercomplex::{self, Hypercomplex};
+use super::quaternion;
+use crate::{LocalHit, Surface};
+
+const LEAST: f64 = 1e-7;
+/// Borders are found to this.
+const FINE: f64 = 1e-7;
+
+/// A Julia fractal, ready to be hit.
+#[derive(Clone, Debug)]
+pub(crate) struct Julia {
+    map: Map,
+    parameter: Vec4,
+    steps: u32,
+    /// The shortest step of the march.
+    least_step: f64,
+    /// The slice: `w = at_origin - along . p`.
+    along: Vec3,
+    at_origin: f64,
+    /// Radius of the ball that holds the set, and the square of the radius at which an orbit escapes.
+    radius: f64,
+    escape: f64,
+}
+
+/// What an orbit repeats.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Map {
+    Quaternion(quaternion::Power),
+    Hypercomplex(hypercomplex::Map),
+}
+
+/// What is known where the march stands.
+struct Look {
+    inside: bool,
+    step: f64,
+}
+
+impl Julia {
+    /// Makes a fractal ready.
+    pub(crate) fn new(julia: &raggio_scene::Julia) -> Self {
+        let [a, b, c, d] = julia.parameter;
+        let parameter = Vec4::new(a, b, c, d);
+        let map = match (julia.algebra, julia.function) {
+            (JuliaAlgebra::Quaternion, JuliaFunction::Cube) => Map::Quaternion(quaternion::Power::Cube),
+            (JuliaAlgebra::Quaternion, _) => Map::Quaternion(quaternion::Power::Square),
+            (JuliaAlgebra::Hypercomplex, function) => Map::Hypercomplex(hypercomplex::Map::of(function)),
+        };
+        let (radius, escape) = match map {
+            Map::Quaternion(_) => {
+                let radius = (1.0 + parameter.length() + 1e-7).min(2.0);
+                (radius, radius * radius + 1e-7)
+            }
+            Map::Hypercomplex(_) => (4.0, 16.0),
+        };
+        let [x, y, z, t] = julia.slice;
+        Julia {
+            map,
+            parameter,
+            steps: julia.max_iteration.max(1),
+            least_step: 1.0 / julia.precision.max(1.0),
+            along: Vec3::new(x, y, z) / t,
+            at_origin: julia.slice_distance / t,
+            radius,
+            escape,
+        }
+    }
+
+    fn lifted(&self, p: Vec3) -> Vec4 {
+        p.extend(self.at_origin - self.along.dot(p))
+    }
+
+    /// Does the orbit stay bounded?
+    fn stays(&self, p: Vec3) -> bool {
+        let q = self.lifted(p);
+        match self.map {
+            Map::Quaternion(power) => {
+                quaternion::orbit(power, q, self.parameter, self.steps, self.escape).is_none()
+            }
+            Map::Hypercomplex(map) => {
+                let start = Hypercomplex::from_vec(map.defective_start(q));
+                map.orbit(start, self.hyper_parameter(), self.steps, self.escape).escaped.is_none()
+            }
+        }
+    }
+
+    fn hyper_parameter(&self) -> Hypercomplex {
+        Hypercomplex::from_vec(self.parameter)
+    }
+
+    /// Is the point inside, and how far can the march go?
+    fn look(&self, p: Vec3, dir: Vec3) -> Look {
+        let q = self.lifted(p);
+        let (inside, estimate) = match self.map {
+            Map::Quaternion(power) => {
+                match quaternion::orbit(power, q, self.parameter, self.steps, self.escape) {
+                    None => (true, self.least_step),
+                    Some(distance) => (false, distance),
+                }
+            }
+            Map::Hypercomplex(map) => {
+                let orbit =
+                    map.orbit(Hypercomplex::from_vec(q), self.hyper_parameter(), self.steps, self.escape);
+                match orbit.escaped {
+                    None => (true, self.least_step),
+                    Some(size) => {
+                        let newton = size / (-2.0 * orbit.gradient().dot(dir));
+                        let sane = self.least_step < newton && newton < 30.0 * self.least_step;
+                        (false, if sane { newton } else { self.least_step })
+                    }
+                }
+            }
+        };
+        // A step that is not a number becomes the least one.
+        Look { inside, step: if estimate > self.least_step { estimate } else { self.least_step } }
+    }
+
+    fn search(&self, ray: &Ray, to: &mut impl Collect) {
+        let middle = -ray.origin.dot(ray.dir);
+        let closest = ray.at(middle).length_squared();
+        let chord = poly::quadratic([closest - self.radius * self.radius, 0.0, 1.0]);
+        let [enter, leave] = chord[..] else { return };
+        let (mut t, leave) = ((middle + enter).max(FINE), middle + leave);
+        if t >= leave {
+            return;
+        }
+        let mut now = self.look(ray.at(t), ray.dir);
+        if now.inside {
+            t += 2.0 * FINE;
+            now = self.look(ray.at(t), ray.dir);
+        }
+        while t < leave && t < to.range().1 {
+            let next = t + now.step;
+            // So far away that a step changes nothing.
+            if next <= t {
+                return;
+            }
+            let seen = self.look(ray.at(next), ray.dir);
+            if seen.inside != now.inside {
+                to.push(LocalHit::at(self.border(ray, t, next, seen.inside)));
+            }
+            (t, now) = (next, seen);
+        }
+    }
+
+    /// The border between two distances, just on its inner side.
+    fn border(&self, ray: &Ray, near: f64, far: f64, entering: bool) -> f64 {
+        let (mut out, mut inner) = if entering { (near, far) } else { (far, near) };
+        while (out - inner).abs() > FINE {
+            let middle = 0.5 * (out + inner);
+            if middle == out || middle == inner {
+                break;
+            }
+            if self.stays(ray.at(middle)) { inner = middle } else { out = middle }
+        }
+        inner
+    }
+}
+
+impl Surface for Julia {
+    searched_from!(LEAST);
+
+    fn bounds(&self) -> Aabb {
+        Aabb::new(Vec3::splat(-self.radius), Vec3::splat(self.radius))
+    }
+
+    fn inside(&self, p: Vec3) -> bool {
+        self.stays(p)
+    }
+
+    fn normal(&self, p: Vec3, _hit: &LocalHit) -> Vec3 {
+        let q = self.lifted(p);
+        let n = match self.map {
+            Map::Quaternion(power) => quaternion::gradient(power, q, self.parameter, self.steps),
+            Map::Hypercomplex(map) => {
+                let start = Hypercomplex::from_vec(map.defective_start(q));
+                map.orbit(start, self.hyper_parameter(), self.steps, self.escape).gradient()
+            }
+        };
+        n.try_normalize().unwrap_or(Vec3::X)
+    }
+}

@@ -1,0 +1,162 @@
+//! Surfaces of polynomials in x, y and z of degree 2 to 35 (shapes spec, section 2).
+use std::sync::Arc;
+
+use raggio_math::{Aabb, Ray, Vec3, poly};
+
+use super::collect::{Collect, searched_from};
+use crate::{LocalHit, Surface};
+
+const LEAST: f64 = 1e-4;
+/// Values below this count as inside.
+const TOLERANCE: f64 = 1e-4;
+
+/// A polynomial surface.
+#[derive(Clone, Debug)]
+pub(crate) struct Poly {
+    degree: usize,
+    coefficients: Arc<[f64]>,
+    /// The terms that are not zero, for the gradient.
+    terms: Vec<Term>,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Term {
+    factor: f64,
+    exponents: [i32; 3],
+}
+
+/// A polynomial along a ray, grown by Horner's rule; `len` is its degree plus one, 0 for none at all. Coefficients past
+/// `len` are zero.
+#[derive(Clone, Copy)]
+struct Along<const N: usize> {
+    c: [f64; N],
+    len: usize,
+}
+
+impl<const N: usize> Along<N> {
+    const ZERO: Self = Along { c: [0.0; N], len: 0 };
+
+    /// Multiplies by `o + d t`.
+    #[inline]
+    fn times_linear(&mut self, o: f64, d: f64) {
+        if self.len == 0 {
+            return;
+        }
+        for k in (1..=self.len.min(N - 1)).rev() {
+            self.c[k] = self.c[k] * o + self.c[k - 1] * d;
+        }
+        self.c[0] *= o;
+        self.len = (self.len + 1).min(N);
+    }
+
+    #[inline]
+    fn add(&mut self, other: &Self) {
+        for k in 0..other.len {
+            self.c[k] += other.c[k];
+        }
+        self.len = self.len.max(other.len);
+    }
+
+    #[inline]
+    fn add_constant(&mut self, x: f64) {
+        if x != 0.0 {
+            self.c[0] += x;
+            self.len = self.len.max(1);
+        }
+    }
+}
+
+impl Poly {
+    /// Coefficients as the language lists them: x exponents falling first, then y, then z.
+    pub(crate) fn new(degree: u8, coefficients: Arc<[f64]>) -> Self {
+        let degree = usize::from(degree);
+        let mut terms = Vec::new();
+        let mut next = coefficients.iter();
+        for i in (0..=degree).rev() {
+            for j in (0..=degree - i).rev() {
+                for k in (0..=degree - i - j).rev() {
+                    let factor = next.next().copied().unwrap_or(0.0);
+                    if factor != 0.0 {
+                        terms.push(Term { factor, exponents: [i as i32, j as i32, k as i32] });
+                    }
+                }
+            }
+        }
+        Poly { degree, coefficients, terms }
+    }
+
+    fn search(&self, ray: &Ray, to: &mut impl Collect) {
+        match self.degree {
+            ..=2 => self.search_sized::<3>(ray, to),
+            3 => self.search_sized::<4>(ray, to),
+            4 => self.search_sized::<5>(ray, to),
+            5..=8 => self.search_sized::<9>(ray, to),
+            _ => self.search_sized::<36>(ray, to),
+        }
+    }
+
+    fn search_sized<const N: usize>(&self, ray: &Ray, to: &mut impl Collect) {
+        // Distances from the point nearest to the origin of coordinates, where the surface is.
+        let shift = -ray.origin.dot(ray.dir);
+        let along = self.along::<N>(&Ray::new(ray.at(shift), ray.dir));
+        let (lo, hi) = to.range();
+        poly::visit_roots_in(&along, lo - shift, hi - shift, |t| to.take(LocalHit::at(shift + t)));
+    }
+
+    /// The polynomial in t that the surface's polynomial becomes on the ray.
+    fn along<const N: usize>(&self, ray: &Ray) -> [f64; N] {
+        let (o, d) = (ray.origin, ray.dir);
+        let mut next = self.coefficients.iter();
+        let mut in_x = Along::<N>::ZERO;
+        for i in (0..=self.degree).rev() {
+            in_x.times_linear(o.x, d.x);
+            let mut in_y = Along::<N>::ZERO;
+            for j in (0..=self.degree - i).rev() {
+                in_y.times_linear(o.y, d.y);
+                let mut in_z = Along::<N>::ZERO;
+                for factor in next.by_ref().take(self.degree - i - j + 1) {
+                    in_z.times_linear(o.z, d.z);
+                    in_z.add_constant(*factor);
+                }
+                in_y.add(&in_z);
+            }
+            in_x.add(&in_y);
+        }
+        in_x.c
+    }
+
+    fn value(&self, p: Vec3) -> f64 {
+        self.terms.iter().map(|t| t.factor * powers(p, t.exponents)).sum()
+    }
+}
+
+fn powers(p: Vec3, e: [i32; 3]) -> f64 {
+    p.x.powi(e[0]) * p.y.powi(e[1]) * p.z.powi(e[2])
+}
+
+impl Surface for Poly {
+    searched_from!(LEAST);
+
+    fn bounds(&self) -> Aabb {
+        Aabb::INFINITE
+    }
+
+    fn inside(&self, p: Vec3) -> bool {
+        self.value(p) < TOLERANCE
+    }
+
+    fn normal(&self, p: Vec3, _hit: &LocalHit) -> Vec3 {
+        let mut gradient = Vec3::ZERO;
+        for term in &self.terms {
+            for axis in 0..3 {
+                let mut e = term.exponents;
+                if e[axis] > 0 {
+                    let factor = term.factor * f64::from(e[axis]);
+                    e[axis] -= 1;
+                    gradient[axis] += factor * powers(p, e);
+                }
+            }
+        }
+        gradient.try_normalize().unwrap_or(Vec3::X)
+    }
+}

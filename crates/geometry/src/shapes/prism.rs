@@ -1,0 +1,133 @@
+//! The prism: an outline in the x-z plane swept along y, straight or towards the origin (shapes spec, section 5).
+use raggio_math::{Aabb, EPS, Ray, Vec2, Vec3};
+
+use super::collect::{Collect, searched_from};
+use super::outline::{Outline, slope};
+use super::revolve::clip_to_slab;
+use crate::{LocalHit, Surface};
+
+const LEAST: f64 = 1e-4;
+/// Parts of a hit at and above this are the caps.
+const CAP: u32 = u32::MAX - 1;
+
+/// A prism, ready to be hit.
+#[derive(Clone, Debug)]
+pub(crate) struct Prism {
+    outline: Outline,
+    heights: (f64, f64),
+    conic: bool,
+    open: bool,
+    bounds: Aabb,
+}
+
+impl Prism {
+    /// Makes a prism ready.
+    pub(crate) fn new(prism: &raggio_scene::Prism) -> Self {
+        let outline = Outline::new(&prism.curves);
+        let heights = prism.heights;
+        let bounds = bounds(&outline, heights, prism.conic);
+        Prism { outline, heights, conic: prism.conic, open: prism.open, bounds }
+    }
+
+    fn search(&self, ray: &Ray, to: &mut impl Collect) {
+        let Some((near, far)) = self.bounds.grown(1e-9).hit(ray) else { return };
+        if far <= to.range().0 || near >= to.range().1 {
+            return;
+        }
+        if !self.open {
+            self.search_caps(ray, to);
+        }
+        if self.conic { self.search_cone(ray, to) } else { self.search_side(ray, to) }
+    }
+
+    fn search_caps(&self, ray: &Ray, to: &mut impl Collect) {
+        if ray.dir.y.abs() < EPS {
+            return;
+        }
+        for (k, h) in [(0, self.heights.0), (1, self.heights.1)] {
+            let t = (h - ray.origin.y) / ray.dir.y;
+            let (lo, hi) = to.range();
+            if lo < t && t < hi && self.section_contains(ray.at(t), h) {
+                to.push(LocalHit { t, part: CAP + k, ..LocalHit::default() });
+            }
+        }
+    }
+
+    /// Is the point in the outline as it is at height `h`?
+    fn section_contains(&self, p: Vec3, h: f64) -> bool {
+        let q = Vec2::new(p.x, p.z);
+        if !self.conic {
+            return self.outline.contains(q);
+        }
+        h.abs() > EPS && self.outline.contains(q / h)
+    }
+
+    fn search_side(&self, ray: &Ray, to: &mut impl Collect) {
+        let (o, d) = (Vec2::new(ray.origin.x, ray.origin.z), Vec2::new(ray.dir.x, ray.dir.z));
+        let length = d.length_squared();
+        let normal = Vec2::new(-d.y, d.x);
+        let Some(slab) = clip_to_slab(ray.origin.y, ray.dir.y, self.heights, to.range()) else { return };
+        if length < EPS * EPS {
+            return;
+        }
+        self.outline.crossings(normal, -normal.dot(o), |part, s, p| {
+            let t = (p - o).dot(d) / length;
+            if slab.0 <= t && t <= slab.1 {
+                to.push(LocalHit { t, part, u: s, v: 0.0 });
+            }
+        });
+    }
+
+    /// The plane through the origin and the ray meets the outline at height 1 in a line.
+    fn search_cone(&self, ray: &Ray, to: &mut impl Collect) {
+        let (o, d) = (ray.origin, ray.dir);
+        let n = o.cross(d);
+        let Some(slab) = clip_to_slab(o.y, d.y, self.heights, to.range()) else { return };
+        if n.length_squared() < EPS * EPS {
+            return;
+        }
+        self.outline.crossings(Vec2::new(n.x, n.z), n.y, |part, s, p| {
+            // o + t d is a multiple of c.
+            let c = Vec3::new(p.x, 1.0, p.y);
+            let (oc, dc) = (o.cross(c), d.cross(c));
+            let t = -oc.dot(dc) / dc.length_squared();
+            if slab.0 <= t && t <= slab.1 {
+                to.push(LocalHit { t, part, u: s, v: 0.0 });
+            }
+        });
+    }
+}
+
+/// The box around the two end sections.
+fn bounds(outline: &Outline, heights: (f64, f64), conic: bool) -> Aabb {
+    let (min, max) = outline.bounds();
+    let section = |h: f64| {
+        let k = if conic { h } else { 1.0 };
+        Aabb::new(Vec3::new(min.x * k, h, min.y * k), Vec3::new(max.x * k, h, max.y * k))
+    };
+    if min.x > max.x { Aabb::EMPTY } else { section(heights.0).union(&section(heights.1)) }
+}
+
+impl Surface for Prism {
+    searched_from!(LEAST);
+
+    fn bounds(&self) -> Aabb {
+        self.bounds
+    }
+
+    fn inside(&self, p: Vec3) -> bool {
+        self.heights.0 <= p.y && p.y < self.heights.1 && self.section_contains(p, p.y)
+    }
+
+    fn normal(&self, p: Vec3, hit: &LocalHit) -> Vec3 {
+        if hit.part >= CAP {
+            return Vec3::Y;
+        }
+        let along = slope(self.outline.curve(hit.part), hit.u);
+        let mut n = Vec3::new(along.y, 0.0, -along.x);
+        if self.conic && p.y.abs() > EPS {
+            n.y = -(p.x * n.x + p.z * n.z) / p.y;
+        }
+        n.try_normalize().unwrap_or(Vec3::Y)
+    }
+}

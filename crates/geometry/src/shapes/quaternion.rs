@@ -1,0 +1,70 @@
+//! Orbits of quaternions under squares and cubes, for Julia fractals.
+use raggio_math::{Vec3, Vec4};
+
+/// What the map does before it adds the parameter.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Power {
+    Square,
+    Cube,
+}
+
+impl Power {
+    /// The power of `q`; x is the real part.
+    fn of(self, q: Vec4) -> Vec4 {
+        let imaginary = q.y * q.y + q.z * q.z + q.w * q.w;
+        let (real, factor) = match self {
+            Power::Square => (q.x * q.x - imaginary, 2.0 * q.x),
+            Power::Cube => (q.x * (q.x * q.x - 3.0 * imaginary), 3.0 * q.x * q.x - imaginary),
+        };
+        Vec4::new(real, factor * q.y, factor * q.z, factor * q.w)
+    }
+
+    /// The change of the power of `q` where `q` changes by `dq`.
+    fn change(self, q: Vec4, dq: Vec4) -> Vec4 {
+        let imaginary = q.y * q.y + q.z * q.z + q.w * q.w;
+        let d_imaginary = 2.0 * (q.y * dq.y + q.z * dq.z + q.w * dq.w);
+        let (real, factor, d_factor) = match self {
+            Power::Square => (2.0 * q.x * dq.x - d_imaginary, 2.0 * q.x, 2.0 * dq.x),
+            Power::Cube => (
+                dq.x * (q.x * q.x - 3.0 * imaginary) + q.x * (2.0 * q.x * dq.x - 3.0 * d_imaginary),
+                3.0 * q.x * q.x - imaginary,
+                6.0 * q.x * dq.x - d_imaginary,
+            ),
+        };
+        let part = |v: f64, dv: f64| factor * dv + d_factor * v;
+        Vec4::new(real, part(q.y, dq.y), part(q.z, dq.z), part(q.w, dq.w))
+    }
+
+    fn degree(self) -> f64 {
+        match self {
+            Power::Square => 2.0,
+            Power::Cube => 3.0,
+        }
+    }
+}
+
+/// `None` where the orbit of `q` stays bounded for `steps` steps, else a lower estimate of the distance to the set (Hart,
+/// Sandin and Kauffman, 1989).
+pub(crate) fn orbit(power: Power, mut q: Vec4, c: Vec4, steps: u32, escape: f64) -> Option<f64> {
+    let mut product2 = 1.0;
+    for _ in 0..steps {
+        let size2 = q.length_squared();
+        if size2.is_nan() || size2 > escape {
+            return Some(0.25 * (size2 / product2).sqrt() * size2.ln());
+        }
+        product2 *= power.degree() * power.degree() * size2;
+        q = power.of(q) + c;
+    }
+    None
+}
+
+/// Half the gradient in x, y and z of the squared size after `steps` steps. The fourth coordinate is held fast, as in
+/// POV-Ray, though the slice makes it depend on the other three.
+pub(crate) fn gradient(power: Power, mut q: Vec4, c: Vec4, steps: u32) -> Vec3 {
+    let mut changes = [Vec4::X, Vec4::Y, Vec4::Z];
+    for _ in 0..steps {
+        changes = changes.map(|dq| power.change(q, dq));
+        q = power.of(q) + c;
+    }
+    Vec3::from_array(changes.map(|dq| q.dot(dq)))
+}

@@ -1,0 +1,158 @@
+//! The surface of revolution: the square of the radius is a cubic of the height, piece by piece (shapes spec,
+//! section 5).
+use raggio_math::{Aabb, EPS, Ray, Vec2, Vec3, poly};
+
+use super::collect::{Collect, searched_from};
+use super::revolve::{barrel_bounds, clip_to_barrel, radius_squared};
+use super::turn;
+use crate::{LocalHit, Surface};
+
+const LEAST: f64 = 1e-4;
+/// Ends with a smaller square of the radius have no cap.
+const LEAST_CAP: f64 = 1e-4;
+/// Parts of a hit: segments from 0, and the two caps.
+const BASE: u32 = u32::MAX - 1;
+const TOP: u32 = u32::MAX;
+
+/// A surface of revolution.
+#[derive(Clone, Debug)]
+pub(crate) struct Sor {
+    segments: Vec<Segment>,
+    open: bool,
+}
+
+/// `r^2 = c0 + c1 h + c2 h^2 + c3 h^3` for `h = y - base` up to the next segment.
+#[derive(Clone, Copy, Debug)]
+struct Segment {
+    base: f64,
+    top: f64,
+    c: [f64; 4],
+    /// The greatest radius.
+    reach: f64,
+}
+
+impl Segment {
+    fn new(p: &[Vec2]) -> Self {
+        let (base, top) = (p[1].y, p[2].y);
+        let height = top - base;
+        let (v1, v2) = (p[1].x * p[1].x, p[2].x * p[2].x);
+        let m1 = 2.0 * p[1].x * (p[2].x - p[0].x) / (p[2].y - p[0].y);
+        let m2 = 2.0 * p[2].x * (p[3].x - p[1].x) / (p[3].y - p[1].y);
+        let rise = (v2 - v1) / height;
+        let c = [v1, m1, (3.0 * rise - 2.0 * m1 - m2) / height, (m1 + m2 - 2.0 * rise) / (height * height)];
+        let turning = poly::quadratic([c[1], 2.0 * c[2], 3.0 * c[3]]);
+        let inner = turning.iter().filter(|h| (0.0..height).contains(*h)).map(|&h| poly::eval(&c, h));
+        let reach = inner.fold(v1.max(v2), f64::max).max(0.0).sqrt();
+        Segment { base, top, c, reach }
+    }
+
+    fn radius_squared(&self, y: f64) -> f64 {
+        poly::eval(&self.c, (y - self.base).clamp(0.0, self.top - self.base))
+    }
+
+    fn search(&self, part: u32, ray: &Ray, to: &mut impl Collect) {
+        let heights = (self.base, self.top);
+        let Some((lo, hi)) = clip_to_barrel(ray, heights, self.reach * (1.0 + 1e-9), to.range()) else {
+            return;
+        };
+        // A level ray at a joint belongs to the segment above.
+        if ray.dir.y == 0.0 && ray.origin.y == self.top {
+            return;
+        }
+        // Distances as a share of the stretch.
+        let (start, way) = (ray.at(lo), ray.dir * (hi - lo));
+        let [c, b, a] = radius_squared(&Ray::new(start, way));
+        let h = [start.y - self.base, way.y];
+        let k = &self.c;
+        let cubic = [
+            c - poly::eval(k, h[0]),
+            b - h[1] * (k[1] + h[0] * (2.0 * k[2] + h[0] * 3.0 * k[3])),
+            a - h[1] * h[1] * (k[2] + 3.0 * h[0] * k[3]),
+            -h[1] * h[1] * h[1] * k[3],
+        ];
+        let off = |t: f64| {
+            let p = ray.at(t);
+            p.x * p.x + p.z * p.z - self.radius_squared(p.y)
+        };
+        for &s in poly::roots_in_unit(&cubic, off(lo), off(hi)).iter() {
+            to.push(LocalHit { t: lo + s * (hi - lo), part, ..LocalHit::default() });
+        }
+    }
+}
+
+impl Sor {
+    /// Points are (radius, height); the first and the last only steer.
+    pub(crate) fn new(points: &[Vec2], open: bool) -> Self {
+        Sor { segments: points.windows(4).map(Segment::new).collect(), open }
+    }
+
+    fn search(&self, ray: &Ray, to: &mut impl Collect) {
+        for (i, segment) in self.segments.iter().enumerate() {
+            segment.search(i as u32, ray, to);
+        }
+        if !self.open && ray.dir.y.abs() > EPS {
+            for (part, height, radius2) in self.caps() {
+                let t = (height - ray.origin.y) / ray.dir.y;
+                let p = ray.at(t);
+                if p.x * p.x + p.z * p.z <= radius2 {
+                    to.push(LocalHit { t, part, ..LocalHit::default() });
+                }
+            }
+        }
+    }
+
+    /// Part, height and square of the radius of the caps.
+    fn caps(&self) -> impl Iterator<Item = (u32, f64, f64)> + '_ {
+        let base = self.segments.first().map(|s| (BASE, s.base, s.radius_squared(s.base)));
+        let top = self.segments.last().map(|s| (TOP, s.top, s.radius_squared(s.top)));
+        base.into_iter().chain(top).filter(|cap| cap.2 > LEAST_CAP)
+    }
+
+    fn segment_at(&self, y: f64) -> Option<&Segment> {
+        self.segments.iter().find(|s| s.base <= y && y <= s.top)
+    }
+}
+
+impl Surface for Sor {
+    searched_from!(LEAST);
+
+    fn bounds(&self) -> Aabb {
+        match (self.segments.first(), self.segments.last()) {
+            (Some(first), Some(last)) => {
+                let reach = self.segments.iter().map(|s| s.reach).fold(0.0, f64::max);
+                barrel_bounds((first.base, last.top), reach)
+            }
+            _ => Aabb::EMPTY,
+        }
+    }
+
+    fn inside(&self, p: Vec3) -> bool {
+        self.segment_at(p.y).is_some_and(|s| p.x * p.x + p.z * p.z <= s.radius_squared(p.y))
+    }
+
+    fn normal(&self, p: Vec3, hit: &LocalHit) -> Vec3 {
+        match hit.part {
+            BASE => -Vec3::Y,
+            TOP => Vec3::Y,
+            part => {
+                let Segment { c, base, .. } = &self.segments[part as usize];
+                let h = p.y - base;
+                let slope = c[1] + h * (2.0 * c[2] + h * 3.0 * c[3]);
+                Vec3::new(p.x, -0.5 * slope, p.z).try_normalize().unwrap_or(Vec3::Y)
+            }
+        }
+    }
+
+    fn uv(&self, p: Vec3, hit: &LocalHit) -> Option<Vec2> {
+        let share = |y: f64| p.x.hypot(p.z) / self.segment_at(y).map_or(1.0, |s| s.radius_squared(y).sqrt());
+        let v = match hit.part {
+            BASE => share(self.segments[0].base) - 1.0,
+            TOP => 2.0 - share(self.segments[self.segments.len() - 1].top),
+            part => {
+                let s = &self.segments[part as usize];
+                (f64::from(part) + (p.y - s.base) / (s.top - s.base)) / self.segments.len() as f64
+            }
+        };
+        Some(Vec2::new(turn(p.x, p.z), v))
+    }
+}

@@ -1,0 +1,145 @@
+//! Where a scene's files are looked for: beside the scene, in library folders, in the embedded library.
+use std::fs;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use raggio_sdl::Files;
+
+use crate::embedded;
+
+/// The usual places of an installed POV-Ray library.
+const INSTALLED: &[&str] = &[
+    "/usr/share/povray-3.7/include",
+    "/usr/local/share/povray-3.7/include",
+    "/opt/homebrew/share/povray-3.7/include",
+    "/opt/homebrew/opt/povray/share/povray-3.7/include",
+    "/opt/local/share/povray-3.7/include",
+    "/usr/share/povray-3.8/include",
+    "/usr/local/share/povray-3.8/include",
+    "/usr/share/povray/include",
+    "/usr/local/share/povray/include",
+];
+
+/// The disk as a scene sees it.
+///
+/// A name is tried in the current folder, beside the scene, in the library folders in their order, in an installed
+/// POV-Ray library, and in the library that is embedded here. Only then, because many scenes were written where the
+/// case of letters does not matter, are the same places tried again ignoring case.
+pub struct DiskFiles {
+    folders: Vec<PathBuf>,
+    write_base: PathBuf,
+}
+
+impl DiskFiles {
+    /// `scene_folder` is where the scene lies; `None` for a scene that is no file.
+    pub fn new(scene_folder: Option<&Path>, libraries: &[PathBuf], use_installed: bool) -> Self {
+        let mut folders = vec![PathBuf::new()];
+        folders.extend(scene_folder.map(Path::to_path_buf));
+        folders.extend(libraries.iter().cloned());
+        if use_installed {
+            folders.extend(INSTALLED.iter().map(PathBuf::from).filter(|p| p.is_dir()));
+        }
+        DiskFiles { folders, write_base: PathBuf::new() }
+    }
+
+    fn exact(&self, name: &str) -> Option<(String, Vec<u8>)> {
+        for folder in &self.folders {
+            let path = folder.join(name);
+            if path.is_file() {
+                return Some((path.to_string_lossy().into_owned(), fs::read(&path).ok()?));
+            }
+            if Path::new(name).is_absolute() {
+                break;
+            }
+        }
+        embedded::file(name).map(|text| (format!("<built in>/{name}"), text.to_vec()))
+    }
+
+    fn ignoring_case(&self, name: &str) -> Option<(String, Vec<u8>)> {
+        let found = self.folders.iter().find_map(|folder| resolve_ignoring_case(folder, Path::new(name)));
+        match found {
+            Some(path) => Some((path.to_string_lossy().into_owned(), fs::read(&path).ok()?)),
+            None => {
+                let lower = name.to_ascii_lowercase();
+                embedded::file(&lower).map(|text| (format!("<built in>/{lower}"), text.to_vec()))
+            }
+        }
+    }
+}
+
+impl Files for DiskFiles {
+    fn find(&self, names: &[String]) -> Option<(String, Vec<u8>)> {
+        names.iter().find_map(|name| self.exact(name)).or_else(|| {
+            names
+                .iter()
+                .map(|name| mended(name))
+                .find_map(|name| self.exact(&name).or_else(|| self.ignoring_case(&name)))
+        })
+    }
+
+    fn write(&self, name: &str, bytes: &[u8], append: bool) -> io::Result<()> {
+        let path = self.write_base.join(name);
+        let mut file =
+            fs::OpenOptions::new().create(true).write(true).append(append).truncate(!append).open(path)?;
+        file.write_all(bytes)
+    }
+}
+
+/// Names as other systems write them: backslashes, a trailing dot.
+fn mended(name: &str) -> String {
+    name.replace('\\', "/").trim_end_matches('.').to_owned()
+}
+
+/// The file that `relative` names below `folder` when the case of letters does not count.
+fn resolve_ignoring_case(folder: &Path, relative: &Path) -> Option<PathBuf> {
+    let mut at = folder.to_path_buf();
+    for part in relative.components() {
+        let exact = at.join(part);
+        if exact.exists() {
+            at = exact;
+            continue;
+        }
+        let wanted = part.as_os_str().to_string_lossy().to_lowercase();
+        let here = if at.as_os_str().is_empty() { Path::new(".") } else { at.as_path() };
+        let mut matches: Vec<_> = fs::read_dir(here)
+            .ok()?
+            .flatten()
+            .map(|entry| entry.file_name())
+            .filter(|name| name.to_string_lossy().to_lowercase() == wanted)
+            .collect();
+        // Several spellings side by side: the order of a folder is not stable, so choose by name.
+        matches.sort();
+        at.push(matches.into_iter().next()?);
+    }
+    at.is_file().then_some(at)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn finds_beside_the_scene_then_in_libraries_then_ignoring_case() {
+        let dir = tempfile::tempdir().unwrap();
+        let (scene, library) = (dir.path().join("scene"), dir.path().join("lib"));
+        fs::create_dir_all(&scene).unwrap();
+        fs::create_dir_all(library.join("Sub")).unwrap();
+        fs::write(scene.join("a.inc"), "scene").unwrap();
+        fs::write(library.join("a.inc"), "library").unwrap();
+        fs::write(library.join("Sub/Two.INC"), "case").unwrap();
+        let files = DiskFiles::new(Some(&scene), std::slice::from_ref(&library), false);
+        let text = |name: &str| files.find(&[name.to_owned()]).map(|(_, t)| String::from_utf8(t).unwrap());
+        assert_eq!(text("a.inc").as_deref(), Some("scene"));
+        assert_eq!(text("sub\\two.inc.").as_deref(), Some("case"));
+        assert_eq!(text("nowhere.inc"), None);
+    }
+
+    #[test]
+    fn candidates_are_tried_in_order_in_every_place() {
+        let dir = tempfile::tempdir().unwrap();
+        fs::write(dir.path().join("b"), "bare").unwrap();
+        let files = DiskFiles::new(Some(dir.path()), &[], false);
+        let found = files.find(&["b.inc".to_owned(), "b".to_owned()]).unwrap();
+        assert_eq!(found.1, b"bare");
+    }
+}

@@ -1,0 +1,232 @@
+//! `cargo xtask bench` and `speed-parse`: whole processes, ours and POV-Ray's in turn, and the ratio of their medians.
+
+use crate::args::{Args, parse_size};
+use crate::conformance::installed_library;
+use crate::process;
+use serde::Serialize;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::time::Duration;
+
+/// A scene and the size at which it is timed.
+struct Job {
+    name: String,
+    scene: PathBuf,
+    size: (u32, u32),
+}
+
+/// One line of the result.
+#[derive(Serialize)]
+struct Timing {
+    scene: String,
+    width: u32,
+    height: u32,
+    povray_s: f64,
+    raggio_s: f64,
+    ratio: f64,
+}
+
+#[derive(Serialize)]
+struct Results {
+    command: String,
+    threads: usize,
+    runs: usize,
+    geometric_mean: f64,
+    worst: f64,
+    failed: Vec<String>,
+    timings: Vec<Timing>,
+}
+
+/// What both commands need to know.
+struct Runner {
+    binary: PathBuf,
+    runs: usize,
+    threads: usize,
+    limit: Duration,
+}
+
+/// The scenes of `benches/speed.txt`, found below a folder.
+pub fn speed(words: &[String]) -> Result<(), String> {
+    let mut args = Args::new(words);
+    let runner = Runner::from_args(&mut args)?;
+    let filter = args.value("--filter")?.unwrap_or_default();
+    let root = PathBuf::from(args.last_word()?.ok_or("bench needs the folder of POV-Ray's examples")?);
+    let list = crate::root_folder().join("benches/speed.txt");
+    let text = std::fs::read_to_string(&list).map_err(|e| format!("{}: {e}", list.display()))?;
+    let mut jobs = Vec::new();
+    for line in text.lines().map(str::trim).filter(|l| !l.is_empty() && !l.starts_with('#')) {
+        let (name, size) =
+            line.split_once(char::is_whitespace).ok_or_else(|| format!("no size in `{line}`"))?;
+        let size = parse_size(size.trim()).ok_or_else(|| format!("`{size}` is no size"))?;
+        if name.contains(&filter) {
+            jobs.push(Job { name: name.into(), scene: root.join(name), size });
+        }
+    }
+    runner.run("bench", &jobs)
+}
+
+/// The scenes `scenes/bench/parse-*.pov`: a few pixels, so that the time is the time to read them.
+pub fn parse(words: &[String]) -> Result<(), String> {
+    let mut args = Args::new(words);
+    let runner = Runner::from_args(&mut args)?;
+    if let Some(word) = args.last_word()? {
+        return Err(format!("unexpected `{word}`"));
+    }
+    let folder = crate::root_folder().join("scenes/bench");
+    let entries = std::fs::read_dir(&folder).map_err(|e| format!("{}: {e}", folder.display()))?;
+    let mut jobs: Vec<Job> = entries
+        .flatten()
+        .map(|e| (e.file_name().to_string_lossy().into_owned(), e.path()))
+        .filter(|(name, _)| name.starts_with("parse-") && name.ends_with(".pov"))
+        .map(|(name, scene)| Job { name, scene, size: (16, 12) })
+        .collect();
+    jobs.sort_by(|a, b| a.name.cmp(&b.name));
+    runner.run("speed-parse", &jobs)
+}
+
+impl Runner {
+    fn from_args(args: &mut Args) -> Result<Self, String> {
+        let binary = match args.value("--binary")? {
+            Some(path) => PathBuf::from(path),
+            None => crate::target_folder()?.join("release/raggio"),
+        };
+        let binary = std::path::absolute(&binary).map_err(|e| format!("{}: {e}", binary.display()))?;
+        if !binary.exists() {
+            return Err(format!("{} is missing: cargo build --release", binary.display()));
+        }
+        let runs = args.parsed("--runs", 3usize)?.max(1);
+        Ok(Runner { binary, runs, threads: args.parsed("--threads", 2)?, limit: Duration::from_secs(300) })
+    }
+
+    fn run(&self, command: &str, jobs: &[Job]) -> Result<(), String> {
+        let mut timings = Vec::new();
+        let mut failed = Vec::new();
+        println!("{:<48} {:>10} {:>9} {:>9} {:>7}", "scene", "size", "POV-Ray", "Raggio", "ratio");
+        for job in jobs {
+            match self.time(job)? {
+                Ok(t) => {
+                    let size = format!("{}x{}", t.width, t.height);
+                    println!(
+                        "{:<48} {size:>10} {:>8.2}s {:>8.2}s {:>7.2}",
+                        t.scene, t.povray_s, t.raggio_s, t.ratio
+                    );
+                    timings.push(t);
+                }
+                Err(why) => {
+                    println!("{:<48} {why}", job.name);
+                    failed.push(format!("{}: {why}", job.name));
+                }
+            }
+        }
+        let ratios: Vec<f64> = timings.iter().map(|t| t.ratio).collect();
+        let results = Results {
+            command: format!("cargo xtask {command}"),
+            threads: self.threads,
+            runs: self.runs,
+            geometric_mean: geometric_mean(&ratios),
+            worst: ratios.iter().copied().fold(f64::INFINITY, f64::min),
+            failed,
+            timings,
+        };
+        println!(
+            "\n{} scenes: geometric mean {:.2}, worst {:.2}",
+            ratios.len(),
+            results.geometric_mean,
+            results.worst
+        );
+        save(command, &results)
+    }
+
+    /// Both programs in turn. The inner error says which of them does not render the scene.
+    fn time(&self, job: &Job) -> Result<Result<Timing, String>, String> {
+        let (mut theirs, mut ours) = (Vec::new(), Vec::new());
+        for _ in 0..self.runs {
+            for (name, mut command, times) in
+                [("POV-Ray", self.peer(job), &mut theirs), ("Raggio", self.own(job), &mut ours)]
+            {
+                let done = process::run(&mut command, self.limit)?;
+                if done.code != Some(0) {
+                    return Ok(Err(format!("{name} does not render it")));
+                }
+                times.push(done.wall.as_secs_f64());
+            }
+        }
+        let (povray_s, raggio_s) = (median(&mut theirs), median(&mut ours));
+        let (width, height) = job.size;
+        Ok(Ok(Timing {
+            scene: job.name.clone(),
+            width,
+            height,
+            povray_s,
+            raggio_s,
+            ratio: povray_s / raggio_s,
+        }))
+    }
+
+    fn peer(&self, job: &Job) -> Command {
+        let (folder, name) = place(&job.scene);
+        let mut command = Command::new("povray");
+        command.current_dir(folder).arg(format!("+I\"{name}\"")).arg(format!("+O\"{}\"", picture("povray")));
+        command.arg(format!("+W{}", job.size.0)).arg(format!("+H{}", job.size.1)).args(["-A", "-D"]);
+        command.arg(format!("+WT{}", self.threads));
+        if let Some(library) = installed_library() {
+            command.arg(format!("+L\"{}\"", library.display()));
+        }
+        command
+    }
+
+    fn own(&self, job: &Job) -> Command {
+        let (folder, name) = place(&job.scene);
+        let mut command = Command::new(&self.binary);
+        command.current_dir(folder).arg("render").arg(name).arg("-o").arg(picture("raggio"));
+        command.arg("--size").arg(format!("{}x{}", job.size.0, job.size.1));
+        command.arg("--threads").arg(self.threads.to_string());
+        if let Some(library) = installed_library() {
+            command.arg("--library").arg(library);
+        }
+        command
+    }
+}
+
+fn place(scene: &Path) -> (&Path, String) {
+    let name = scene.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    (scene.parent().unwrap_or(Path::new(".")), name)
+}
+
+fn picture(program: &str) -> String {
+    std::env::temp_dir()
+        .join(format!("bench-{program}-{}.png", std::process::id()))
+        .to_string_lossy()
+        .into_owned()
+}
+
+fn median(values: &mut [f64]) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values[values.len() / 2]
+}
+
+fn geometric_mean(values: &[f64]) -> f64 {
+    (values.iter().map(|v| v.ln()).sum::<f64>() / values.len().max(1) as f64).exp()
+}
+
+fn save(name: &str, results: &Results) -> Result<(), String> {
+    let folder = crate::root_folder().join("benches/results");
+    let path = folder.join(format!("{name}.json"));
+    let text = serde_json::to_string_pretty(results).map_err(|e| e.to_string())?;
+    std::fs::create_dir_all(&folder)
+        .and_then(|()| std::fs::write(&path, text + "\n"))
+        .map_err(|e| format!("{}: {e}", path.display()))?;
+    println!("written: {}", path.display());
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn medians_and_means() {
+        assert_eq!(median(&mut [9.0, 1.0, 3.0]), 3.0);
+        assert!((geometric_mean(&[1.0, 4.0]) - 2.0).abs() < 1e-12);
+    }
+}

@@ -1,0 +1,92 @@
+//! Which scenes there are, and how strictly each can be judged.
+
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::path::{Path, PathBuf};
+
+/// Match limit for scenes that always come out the same.
+const EXACT_LIMIT: f32 = 0.03;
+/// Match limit for scenes that draw random numbers or use cached estimates.
+const NOISY_LIMIT: f32 = 0.06;
+
+/// Words that announce random numbers or cached estimates.
+const NOISY_WORDS: &[&str] =
+    &["radiosity", "photons", "media", "subsurface", "jitter", "crand", "aperture", "blur_samples"];
+
+/// One scene file.
+#[derive(Clone, Debug)]
+pub struct Scene {
+    /// The file.
+    pub path: PathBuf,
+    /// Folder, relative to where the search began; the unit of the report.
+    pub group: String,
+    /// Relative path with `__` for the slashes and no extension: the name of its pictures.
+    pub key: String,
+    /// The largest mean FLIP error that counts as a match.
+    pub limit: f32,
+    /// Changes with the scene's text.
+    pub hash: u64,
+    /// POV-Ray renders this folder's scenes by their .ini only.
+    pub needs_ini: bool,
+}
+
+/// All scenes below a folder, in a fixed order; `filter` must occur in the relative path.
+pub fn find(root: &Path, filter: &str) -> Result<Vec<Scene>, String> {
+    let mut scenes = Vec::new();
+    let mut open = vec![root.to_path_buf()];
+    while let Some(folder) = open.pop() {
+        let entries = std::fs::read_dir(&folder).map_err(|e| format!("{}: {e}", folder.display()))?;
+        for entry in entries.flatten() {
+            let path = entry.path();
+            if path.is_dir() {
+                open.push(path);
+            } else if path.extension().is_some_and(|e| e.eq_ignore_ascii_case("pov"))
+                && relative(root, &path).contains(filter)
+            {
+                scenes.push(describe(root, path)?);
+            }
+        }
+    }
+    scenes.sort_by(|a, b| a.key.cmp(&b.key));
+    Ok(scenes)
+}
+
+fn relative(root: &Path, path: &Path) -> String {
+    path.strip_prefix(root).unwrap_or(path).to_string_lossy().replace('\\', "/")
+}
+
+fn describe(root: &Path, path: PathBuf) -> Result<Scene, String> {
+    let bytes = std::fs::read(&path).map_err(|e| format!("{}: {e}", path.display()))?;
+    let name = relative(root, &path);
+    let mut hasher = DefaultHasher::new();
+    bytes.hash(&mut hasher);
+    Ok(Scene {
+        group: name.split_once('/').map_or(".", |(folder, _)| folder).to_string(),
+        key: Path::new(&name).with_extension("").to_string_lossy().replace('/', "__"),
+        limit: limit(&String::from_utf8_lossy(&bytes)),
+        hash: hasher.finish(),
+        needs_ini: name.starts_with("portfolio/"),
+        path,
+    })
+}
+
+/// Looks for the noisy words outside line comments; `camera{aperture 0}` and the like are judged mildly too.
+fn limit(text: &str) -> f32 {
+    let noisy = text.lines().any(|line| {
+        let code = line.split("//").next().unwrap_or_default();
+        code.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').any(|word| NOISY_WORDS.contains(&word))
+    });
+    if noisy { NOISY_LIMIT } else { EXACT_LIMIT }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn noisy_scenes_get_the_wider_limit() {
+        assert_eq!(limit("sphere{0,1}"), EXACT_LIMIT);
+        assert_eq!(limit("// radiosity later\nsphere{0,1}"), EXACT_LIMIT);
+        assert_eq!(limit("#declare my_photons_on = 1;"), EXACT_LIMIT);
+        assert_eq!(limit("light_source{0,1 area_light x,y,4,4 jitter}"), NOISY_LIMIT);
+    }
+}
