@@ -40,7 +40,17 @@ impl Cell {
         let h = |i: usize| usize::from(HASH[i & 8191]);
         let (x0, x1) = (h(ix), h(ix + 1));
         let sides = [h(x0 ^ iy), h(x0 ^ (iy + 1)), h(x1 ^ iy), h(x1 ^ (iy + 1))];
-        let corners = std::array::from_fn(|i| h(sides[i / 2] ^ (iz + i % 2)) & 255);
+        let corner = |side: usize, dz: usize| h(sides[side] ^ (iz + dz)) & 255;
+        let corners = [
+            corner(0, 0),
+            corner(0, 1),
+            corner(1, 0),
+            corner(1, 1),
+            corner(2, 0),
+            corner(2, 1),
+            corner(3, 0),
+            corner(3, 1),
+        ];
         let factor = |wy: f64, wz: f64, fy: f64, fz: f64| {
             let w = wy * wz;
             [0.5 * w, w, w * fy, w * fz]
@@ -59,10 +69,10 @@ impl Cell {
     fn channel<const M: usize>(&self) -> f64 {
         let side = |first: usize| {
             let mut sum = [0.0; 4];
-            for (corner, factor) in self.corners[first..first + 4].iter().zip(&self.factors) {
-                let at = (corner & 255) + 4 * M;
+            for i in 0..4 {
+                let at = (self.corners[first + i] & 255) + 4 * M;
                 for k in 0..4 {
-                    sum[k] += VALUES[at + k] * factor[k];
+                    sum[k] += VALUES[at + k] * self.factors[i][k];
                 }
             }
             sum
