@@ -20,6 +20,9 @@ pub struct AreaGrid {
     pub jitter: bool,
     circular: bool,
     orient: bool,
+    /// From grid points to shares of the axes: `k * steps - middle`, 0 for a single point.
+    steps: (f64, f64),
+    middle: (f64, f64),
     /// Does every sample light the surface by its own direction?
     pub illumination: bool,
     /// Do photons leave from all of it?
@@ -29,7 +32,11 @@ pub struct AreaGrid {
 impl AreaGrid {
     /// Makes a grid ready.
     pub fn new(area: &scene::AreaLight) -> AreaGrid {
+        let step = |n: u32| if n > 1 { 1.0 / f64::from(n - 1) } else { 0.0 };
+        let middle = |n: u32| if n > 1 { 0.5 } else { 0.0 };
         AreaGrid {
+            steps: (step(area.size1), step(area.size2)),
+            middle: (middle(area.size1), middle(area.size2)),
             axis1: area.axis1,
             axis2: area.axis2,
             size1: area.size1.max(1),
@@ -68,13 +75,12 @@ impl AreaGrid {
             u += random.next() - 0.5;
             v += random.next() - 0.5;
         }
-        let place = |k: f64, n: u32| if n > 1 { k / f64::from(n - 1) - 0.5 } else { 0.0 };
-        let (s, t) = (place(u, self.size1), place(v, self.size2));
+        let (s, t) = (u * self.steps.0 - self.middle.0, v * self.steps.1 - self.middle.1);
         if !self.circular {
             return axes.0 * s + axes.1 * t;
         }
         let (s, t) = (s + 0.001, t + 0.001);
-        let round = s.abs().max(t.abs()) / s.hypot(t).max(1e-300);
+        let round = s.abs().max(t.abs()) / (s * s + t * t).sqrt().max(1e-300);
         axes.0 * (s * round) + axes.1 * (t * round)
     }
 }
