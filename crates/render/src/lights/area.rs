@@ -20,9 +20,6 @@ pub struct AreaGrid {
     pub jitter: bool,
     circular: bool,
     orient: bool,
-    /// From grid points to shares of the axes: `k * steps - middle`, 0 for a single point.
-    steps: (f64, f64),
-    middle: (f64, f64),
     /// Does every sample light the surface by its own direction?
     pub illumination: bool,
     /// Do photons leave from all of it?
@@ -32,11 +29,7 @@ pub struct AreaGrid {
 impl AreaGrid {
     /// Makes a grid ready.
     pub fn new(area: &scene::AreaLight) -> AreaGrid {
-        let step = |n: u32| if n > 1 { 1.0 / f64::from(n - 1) } else { 0.0 };
-        let middle = |n: u32| if n > 1 { 0.5 } else { 0.0 };
         AreaGrid {
-            steps: (step(area.size1), step(area.size2)),
-            middle: (middle(area.size1), middle(area.size2)),
             axis1: area.axis1,
             axis2: area.axis2,
             size1: area.size1.max(1),
@@ -75,7 +68,8 @@ impl AreaGrid {
             u += random.next() - 0.5;
             v += random.next() - 0.5;
         }
-        let (s, t) = (u * self.steps.0 - self.middle.0, v * self.steps.1 - self.middle.1);
+        let place = |k: f64, n: u32| if n > 1 { k / f64::from(n - 1) - 0.5 } else { 0.0 };
+        let (s, t) = (place(u, self.size1), place(v, self.size2));
         if !self.circular {
             return axes.0 * s + axes.1 * t;
         }

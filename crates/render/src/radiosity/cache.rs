@@ -155,17 +155,9 @@ impl Node {
         Node { centre, side, level, index, children: [NONE; 8], samples: Vec::new() }
     }
 
-    /// Which children's doubled cells hold the point: a bit for each octant. Known without a look at the children.
-    #[inline]
-    fn children_around(&self, p: Vec3) -> u8 {
-        let (near, far) = (0.25 * self.side, 0.75 * self.side);
-        let along = |d: f64, low: u8| {
-            let in_low = -far <= d && d <= near;
-            let in_high = -near <= d && d <= far;
-            (if in_low { low } else { 0 }) | (if in_high { !low } else { 0 })
-        };
-        let d = p - self.centre;
-        along(d.x, 0b0101_0101) & along(d.y, 0b0011_0011) & along(d.z, 0b0000_1111)
+    /// Does the doubled cell hold the point?
+    fn covers(&self, p: Vec3) -> bool {
+        (p - self.centre).abs().max_element() <= self.side
     }
 }
 
@@ -226,11 +218,8 @@ impl Octree {
         while let Some(top) = stack.pop() {
             let node = &self.nodes[top as usize];
             node.samples.iter().for_each(|(sample, _)| each(sample));
-            let mut around = node.children_around(p);
-            while around != 0 {
-                let child = node.children[around.trailing_zeros() as usize];
-                around &= around - 1;
-                if child != NONE {
+            for &child in &node.children {
+                if child != NONE && self.nodes[child as usize].covers(p) {
                     stack.push(child);
                 }
             }
