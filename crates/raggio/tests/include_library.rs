@@ -75,3 +75,22 @@ fn statistics_vectors_and_derivatives() {
 fn random_distributions() {
     check("random");
 }
+
+#[test]
+fn every_file_can_be_included_with_the_colours_alone() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("include");
+    let mut count = 0;
+    for entry in std::fs::read_dir(folder).expect("the library") {
+        let name = entry.expect("a file").file_name().into_string().expect("a plain name");
+        let scene =
+            format!("#version 3.7;\n#include \"colors.inc\"\n#include \"{name}\"\n#include \"{name}\"\n");
+        let mut options = SceneOptions::text("scene.pov", scene.into_bytes());
+        options.use_installed_library = false;
+        (options.parse.image_width, options.parse.image_height) = (80, 60);
+        if let Err(failure) = raggio::load(&options) {
+            panic!("{name}: {}", failure.render());
+        }
+        count += 1;
+    }
+    assert!(count > 30, "{count}");
+}
