@@ -1,3 +1,3 @@
-// error[not-an-array] 3:13 A
+// error[unexpected] 3:14 sphere
 #declare A = 1;
 sphere { 0, A[0] }

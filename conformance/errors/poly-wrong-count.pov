@@ -1,2 +1,2 @@
-// error[wrong-size] 2:11
+// error[expected] 2:19
 poly { 2, <1, 2, 3> }

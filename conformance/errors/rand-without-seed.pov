@@ -1,2 +1,2 @@
-// error[rand-stream] 2:13
+// error[rand-stream] 2:18
 sphere { 0, rand(5) }

@@ -1,2 +1,2 @@
-// error[expected] 2:37
+// error[empty-spline] 2:14
 #declare S = spline { linear_spline }

@@ -1,2 +1,2 @@
-// error[substr-range] 2:8
+// error[substr-range] 2:15
 #debug substr("abc", 3, 4)

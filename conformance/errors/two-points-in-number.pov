@@ -1,2 +1,2 @@
-// error[unexpected] 2:14
+// error[malformed-number] 2:13
 sphere { 0, 1..5 }

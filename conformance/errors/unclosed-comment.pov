@@ -1,3 +1,3 @@
-// error[unclosed] 2:1 comment
+// error[unclosed-comment] 2:1 */
 /* no end
 sphere { 0, 1 }

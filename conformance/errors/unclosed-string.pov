@@ -1,3 +1,3 @@
-// error[unclosed] 2:8
+// error[unclosed-string] 2:8 never closed
 #debug "no end
 sphere { 0, 1 }

@@ -1,2 +1,2 @@
-// error[expected] 2:18 >
+// error[expected] 2:18 number
 sphere { <1, 2, 3; 1 }

@@ -238,7 +238,9 @@ fn faces_of_meshes_bring_their_textures() {
     let mesh = Mesh {
         vertices: vec![[0., 0., 0.], [4., 0., 0.], [0., 4., 0.], [4., 4., 0.]],
         textures: vec![a.clone(), b.clone(), c.clone()],
-        faces: vec![face([0, 1, 2], FaceTexture::Three([0, 1, 2])), face([1, 3, 2], FaceTexture::Object)],
+        faces: [face([0, 1, 2], FaceTexture::Three([0, 1, 2])), face([1, 3, 2], FaceTexture::Object)]
+            .into_iter()
+            .collect(),
         ..Mesh::default()
     };
     let object = Object::new(ObjectKind::Shape(Arc::new(Shape::Mesh(Arc::new(mesh)))));

@@ -52,8 +52,16 @@ fn first_error(name: &str, text: &str) -> Option<String> {
     let mut sources = Sources::default();
     let cancel = Arc::new(AtomicBool::new(false));
     let options = ParseOptions::default();
-    let result =
-        parse(&mut sources, name, text.as_bytes(), &Emptiness, &NoFiles, &options, &mut |_: &str| {}, &cancel);
+    let result = parse(
+        &mut sources,
+        name,
+        text.as_bytes(),
+        &Emptiness,
+        &NoFiles,
+        &options,
+        &mut |_: &str| {},
+        &cancel,
+    );
     let error: Diagnostic = result.err()?.into_iter().find(|d| d.severity == Severity::Error)?;
     let (line, column) = error.span.map_or((0, 0), |span| sources.line_column(span));
     Some(format!("error[{}] {line}:{column} {}", error.code, error.message))
@@ -61,8 +69,11 @@ fn first_error(name: &str, text: &str) -> Option<String> {
 
 #[test]
 fn every_broken_scene_brings_its_diagnostic() {
-    let mut scenes: Vec<PathBuf> =
-        std::fs::read_dir(folder()).expect("the folder of broken scenes").flatten().map(|e| e.path()).collect();
+    let mut scenes: Vec<PathBuf> = std::fs::read_dir(folder())
+        .expect("the folder of broken scenes")
+        .flatten()
+        .map(|e| e.path())
+        .collect();
     scenes.sort();
     let mut faults = String::new();
     for path in &scenes {
@@ -72,8 +83,11 @@ fn every_broken_scene_brings_its_diagnostic() {
         let actual = first_error(&name, &text).unwrap_or_else(|| "no error".into());
         // What is expected ends with a part of the message.
         let mut parts = expected.splitn(3, ' ');
-        let (head, place, part) =
-            (parts.next().unwrap_or_default(), parts.next().unwrap_or_default(), parts.next().unwrap_or_default());
+        let (head, place, part) = (
+            parts.next().unwrap_or_default(),
+            parts.next().unwrap_or_default(),
+            parts.next().unwrap_or_default(),
+        );
         if !actual.starts_with(&format!("{head} {place} ")) || !actual.contains(part) {
             writeln!(faults, "{name}\n  expected {expected}\n  brought  {actual}").expect("a string grows");
         }

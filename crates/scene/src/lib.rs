@@ -22,6 +22,7 @@ mod camera;
 mod finish;
 mod interior;
 mod light;
+mod mesh;
 mod normal;
 mod object;
 mod pattern;
@@ -35,6 +36,7 @@ pub use camera::{Camera, CameraKind, FocalBlur, MeshCamera};
 pub use finish::{Finish, Irid, LegacyInterior, Reflection, Subsurface};
 pub use interior::{Density, Interior, Media, Scattering};
 pub use light::{AreaLight, Light, LightKind};
+pub use mesh::{FaceIndices, FaceTexture, Faces, Mesh, MeshFace};
 pub use normal::{Normal, NormalKind, NormalPattern};
 pub use object::{Csg, Object, ObjectKind, PhotonFlags, Placed};
 pub use pattern::{
@@ -46,9 +48,9 @@ pub use raggio_function::Function;
 pub use raggio_image::{Bitmap, Color, Curve, Rgb};
 pub use settings::{GammaMode, Photons, RadiositySettings, Settings, SubsurfaceSettings, Version};
 pub use shape::{
-    Blob, BlobComponent, BlobShape, Container, Contour, Curve2, CurveKind, FaceTexture, Glyph, HeightField,
-    Isosurface, IsosurfaceEvaluate, Julia, JuliaAlgebra, JuliaFunction, Mesh, MeshFace, Parametric, Prism,
-    Shape, SplineKind, SweepSphere,
+    Blob, BlobComponent, BlobShape, Container, Contour, Curve2, CurveKind, Glyph, HeightField, Isosurface,
+    IsosurfaceEvaluate, Julia, JuliaAlgebra, JuliaFunction, Parametric, Prism, Shape, SplineKind,
+    SweepSphere,
 };
 pub use texture::{Layer, Texture, TextureKind};
 

@@ -3,7 +3,7 @@ use std::sync::Arc;
 
 use raggio_math::{Affine, Vec2, Vec3};
 
-use crate::{Function, Placed, Texture};
+use crate::{Function, Mesh, Placed, Texture};
 
 /// A shape. Degenerate input (zero radii, zero areas, negative counts) has been refused or mended by the front end as
 /// the language prescribes; what is here can be built.
@@ -178,47 +178,6 @@ pub struct Glyph {
 pub struct Contour {
     /// Pieces in order; each starts where the one before ends.
     pub curves: Vec<Curve2>,
-}
-
-/// A triangle mesh. All indices are in range; triangles without area have been dropped.
-#[derive(Clone, Debug, Default)]
-pub struct Mesh {
-    /// Corner points, in single precision as the language keeps them.
-    pub vertices: Vec<[f32; 3]>,
-    /// Normals of unit length.
-    pub normals: Vec<[f32; 3]>,
-    /// Texture coordinates.
-    pub uvs: Vec<[f32; 2]>,
-    /// Textures that faces name.
-    pub textures: Vec<Arc<Texture>>,
-    /// The triangles.
-    pub faces: Vec<MeshFace>,
-    /// `inside_vector`, unit length; `None`: nothing is inside.
-    pub inside_vector: Option<Vec3>,
-}
-
-/// A triangle of a mesh.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct MeshFace {
-    /// Corners.
-    pub vertices: [u32; 3],
-    /// Normals at the corners; `None` is flat.
-    pub normals: Option<[u32; 3]>,
-    /// Texture coordinates at the corners; `None` is (0, 0).
-    pub uvs: Option<[u32; 3]>,
-    /// Its texture or textures.
-    pub texture: FaceTexture,
-}
-
-/// Which texture a face has.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum FaceTexture {
-    /// The object's.
-    Object,
-    /// One of the mesh's list.
-    One(u32),
-    /// One at each corner, mixed between.
-    Three([u32; 3]),
 }
 
 /// A `height_field`: heights in 0..=65535 on a grid over the unit square.

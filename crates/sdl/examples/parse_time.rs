@@ -1,4 +1,4 @@
-//! Runs a scene text that needs no engine and prints how long reading it took.
+//! Reads a scene and prints how long that took. Every object is taken for the unit sphere, every pigment for black.
 use std::sync::Arc;
 
 use raggio_diag::Sources;
@@ -7,39 +7,43 @@ use raggio_math::{Aabb, Vec3};
 use raggio_scene::{Object, Pattern, Pigment, Settings};
 use raggio_sdl::{Engine, Files, ParseOptions, parse};
 
-/// Answers nothing.
-struct NoEngine;
+/// An engine that knows one shape.
+struct UnitSphere;
 
+/// A function with so many components, all 0.
 #[derive(Debug)]
-struct Nothing;
+struct Nothing(usize);
 
 impl External for Nothing {
     fn eval(&self, _: &[f64]) -> [f64; 5] {
         [0.0; 5]
     }
     fn components(&self) -> usize {
-        5
+        self.0
     }
     fn as_any(&self) -> &dyn std::any::Any {
         self
     }
 }
 
-impl Engine for NoEngine {
-    fn trace(&self, _: &Arc<Object>, _: Vec3, _: Vec3) -> Option<(Vec3, Vec3)> {
-        None
+impl Engine for UnitSphere {
+    fn trace(&self, _: &Arc<Object>, origin: Vec3, dir: Vec3) -> Option<(Vec3, Vec3)> {
+        let b = origin.dot(dir);
+        let discriminant = b * b - origin.length_squared() + 1.0;
+        let hit = origin + dir * (-b - discriminant.sqrt());
+        (discriminant >= 0.0).then_some((hit, hit))
     }
-    fn inside(&self, _: &Arc<Object>, _: Vec3) -> Option<bool> {
-        Some(false)
+    fn inside(&self, _: &Arc<Object>, point: Vec3) -> Option<bool> {
+        Some(point.length() < 1.0)
     }
     fn bounds(&self, _: &Arc<Object>) -> Aabb {
-        Aabb::new(Vec3::ZERO, Vec3::ZERO)
+        Aabb::new(Vec3::splat(-1.0), Vec3::splat(1.0))
     }
     fn pigment_function(&self, _: Arc<Pigment>, _: &Settings) -> Arc<dyn External> {
-        Arc::new(Nothing)
+        Arc::new(Nothing(5))
     }
     fn pattern_function(&self, _: Arc<Pattern>, _: &Settings) -> Arc<dyn External> {
-        Arc::new(Nothing)
+        Arc::new(Nothing(1))
     }
 }
 
@@ -69,8 +73,9 @@ fn main() {
     let start = std::time::Instant::now();
     let files = Disk(args.collect());
     let mut debug = |text: &str| eprint!("{text}");
-    let options = ParseOptions { image_width: 160, image_height: 120, ..Default::default() };
-    let result = parse(&mut sources, &name, text, &NoEngine, &files, &options, &mut debug, &Arc::default());
+    let options =
+        ParseOptions { image_width: 160, image_height: 120, frame_number: 1.0, ..Default::default() };
+    let result = parse(&mut sources, &name, text, &UnitSphere, &files, &options, &mut debug, &Arc::default());
     println!("{:.3} s", start.elapsed().as_secs_f64());
     match result {
         Ok(parsed) => println!("{} objects, {} warnings", parsed.scene.objects.len(), parsed.warnings.len()),

@@ -340,6 +340,7 @@ fn every_fault_is_a_diagnostic() {
     fails("#read(F, A)", "unknown-identifier");
     fails("#version", "expected");
     fails("#include 5", "expected");
+    assert!(run("#").warned("stray-hash"));
 }
 
 #[test]
@@ -366,4 +367,29 @@ fn messages_name_place_way_and_remedy() {
     assert_eq!(fault.hints, ["did you mean `Radius`?"]);
     assert_eq!(fault.trace[0].what, "macro M");
     assert_eq!(run.sources.line_column(fault.trace[0].span), (5, 1));
+}
+
+/// Cut off anywhere, or with any byte replaced, a scene ends in a scene or in a diagnostic.
+#[test]
+fn damaged_texts_do_no_harm() {
+    let text = "#version 3.7; global_settings{assumed_gamma 1 max_trace_level 5}\n#macro M(A,B) #local C=A*2; C+B #end\n\
+                #declare V=array[2][2]{{1,2},{3,4}} #for(I,0,1) #declare S=concat(\"a\",str(V[I][1],3,2)); #end\n\
+                #switch(2) #case(1) #debug \"x\\n\" #break #range(2,3) #debug S #else #end #undef S\n\
+                #fopen F \"f\" write #write(F,1,\",\",<1,2>) #fclose F #fopen F \"f\" read #read(F,X) #fclose F\n\
+                #declare P=spline{cubic_spline 0,<0,1> 1,<2,3> 2,x} #declare Q=function(x){sin(x)^2}\n\
+                camera{location <0,1,-3> look_at y} light_source{<1,2,3> rgb srgb 0.5 spotlight radius 3}\n\
+                union{ sphere{0,M(1,2) pigment{checker rgb 1 color red 1 scale .1}} box{-x,y rotate 30*z} }\n";
+    let text = text.replace("^2", "*2").replace("rgb srgb", "srgb");
+    let check = |bytes: &[u8]| {
+        let run = run_with(bytes, &Memory::default(), &ParseOptions::default(), &Arc::default());
+        assert_ne!(run.error(), "internal", "{}", String::from_utf8_lossy(bytes));
+        run.diagnostics.iter().for_each(|d| drop((d.render(&run.sources, false), d.to_json(&run.sources))));
+    };
+    check(text.as_bytes());
+    for at in 0..text.len() {
+        check(&text.as_bytes()[..at]);
+        let mut bytes = text.clone().into_bytes();
+        bytes[at] = b"({<#\"})>0xA;"[at % 12];
+        check(&bytes);
+    }
 }

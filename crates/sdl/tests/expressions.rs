@@ -218,3 +218,33 @@ fn splines() {
     assert_eq!(s("0,0 1,1", "S(5)"), "1.000000 1.000000");
     fails("#declare S = spline { linear_spline }", "empty-spline");
 }
+
+/// Expressions in loops become trees on their second visit; the tree must say what the walk says.
+#[test]
+fn repeated_expressions_keep_their_values() {
+    let expressions = [
+        "1 + 2*I - 3/(I+1)",
+        "(I > 1 & I < 3 | I = 0)",
+        "<I, 2, -I>*2 + x",
+        "-<I,2>.y + V.z*A[I]",
+        "(I ? 5 : <1,2,3>)",
+        "sin(I) + sqrt(I) + mod(I,2) + pow(I+1,2) + min(I,1,2) + select(I-1,1,2,3)",
+        "vlength(V) + vdot(V,x) + vrotate(V,<I,0,0>).y + vcross(V,y).z",
+        "rand(R)",
+        "rand(R)*<1,2,3>",
+        "B[I][1].y + !I",
+        "1/(I-1)",
+        "S(I/2)",
+        "M(I)",
+    ];
+    for expression in expressions {
+        let names = "#declare R=seed(3); #declare V=<1,2,3>; #declare A=array[4]{1,2,3,4} \
+                     #declare B=array[4][2]{{x,y}{x,y}{x,2*y}{x,y}} #declare S=spline{0,0 1,1 2,4} #macro M(Q) Q*2+1 #end\n";
+        let say = |i: &str| {
+            format!("#declare I={i}; #declare W={expression}; #debug vstr(3,W*1,\" \",0,9) #debug \"|\"\n")
+        };
+        let unrolled: String = (0..4).map(|i| say(&i.to_string())).collect();
+        let looped = format!("#for(K,0,3)\n{}#end", say("K"));
+        assert_eq!(debug(&format!("{names}{looped}")), debug(&format!("{names}{unrolled}")), "{expression}");
+    }
+}

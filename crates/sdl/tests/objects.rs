@@ -108,7 +108,7 @@ fn meshes_share_corners_and_drop_what_has_no_area() {
     let text = "mesh2 { vertex_vectors { 4, 0, x, y, x+y } uv_vectors { 1, <0,1> } face_indices { 2, <0,1,2>, <1,2,3> } }";
     let mesh2 = shape(text);
     let Shape::Mesh(mesh2) = &*mesh2 else { panic!("{mesh2:?}") };
-    assert_eq!((mesh2.faces.len(), mesh2.faces[1].uvs), (2, Some([0; 3])));
+    assert_eq!((mesh2.faces.len(), mesh2.faces.face(1).uvs), (2, Some([0; 3])));
     assert_eq!(run(&text.replace("<1,2,3>", "<1,2,4>")).error(), "bad-index");
 }
 

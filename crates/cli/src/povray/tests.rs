@@ -102,91 +102,23 @@ fn what_the_program_refuses_is_refused() {
     }
 }
 
+/// Options that the program accepts, alone.
+const TAKEN: &str = "\
++F | -F | +FN5 | +FP16 | +FJ50 | +FB | +FE | +FH | +UA | Grayscale_Output=on | Compression=9
++KFI9 +KFF11 +KI0 +KF2 | +KC | +SP32 +EP4 | +C | -V | Verbose=false | -GD -GR -GS | -GW -GF
++GAall.log | All_File=1 | +GIopts.ini | All_Console=Off | Warning_Level=0 | +Q0 | +R9 | +J
+-J | -A | +A0.0 | +AM3 | +AG1.0 | +X | -X | +P | +MB1 | -MB | +BM2 | +UD | -UL | +UV | +UR
++SU | +UO | +WT0 | +MV3.5 | +BS16 | +HIhdr.inc | +RTR | +HR | +GP | +TH | +UF | -d0 | +DGT
++LX | Max_Image_Buffer_Memory=64 | Split_Unions=On | Light_Buffer=Off
+High_Reproducibility=on | Bounding=Off | Antialias_Depth=4 | Sampling_Method=2
+File_Gamma=1.0 | Display_Gamma=sRGB | Dither=on | Dither_Method=B2 | Palette=3
+Test_Abort_Count=100 | Field_Render=on | Odd_Field=on | Pre_Scene_Command=false
+Render_Pattern=1 | Render_Block_Step=3 | Real_Time_Raytracing=on | Warning_Console=off
++RFI | +RFcache.rca | +STP2 | -RVP | +W8.5";
+
 #[test]
 fn what_the_program_takes_is_taken() {
-    for line in [
-        "+F",
-        "-F",
-        "+FN5",
-        "+FP16",
-        "+FJ50",
-        "+FB",
-        "+FE",
-        "+FH",
-        "+UA",
-        "Grayscale_Output=on",
-        "Compression=9",
-        "+KFI9 +KFF11 +KI0 +KF2",
-        "+KC",
-        "+SP32 +EP4",
-        "+C",
-        "-V",
-        "Verbose=false",
-        "-GD -GR -GS",
-        "-GW -GF",
-        "+GAall.log",
-        "All_File=1",
-        "+GIopts.ini",
-        "All_Console=Off",
-        "Warning_Level=0",
-        "+Q0",
-        "+R9",
-        "+J",
-        "-J",
-        "-A",
-        "+A0.0",
-        "+AM3",
-        "+AG1.0",
-        "+X",
-        "-X",
-        "+P",
-        "+MB1",
-        "-MB",
-        "+BM2",
-        "+UD",
-        "-UL",
-        "+UV",
-        "+UR",
-        "+SU",
-        "+UO",
-        "+WT0",
-        "+MV3.5",
-        "+BS16",
-        "+HIhdr.inc",
-        "+RTR",
-        "+HR",
-        "+GP",
-        "+TH",
-        "+UF",
-        "-d0",
-        "+DGT",
-        "+LX",
-        "Max_Image_Buffer_Memory=64",
-        "Split_Unions=On",
-        "Light_Buffer=Off",
-        "High_Reproducibility=on",
-        "Bounding=Off",
-        "Antialias_Depth=4",
-        "Sampling_Method=2",
-        "File_Gamma=1.0",
-        "Display_Gamma=sRGB",
-        "Dither=on",
-        "Dither_Method=B2",
-        "Palette=3",
-        "Test_Abort_Count=100",
-        "Field_Render=on",
-        "Odd_Field=on",
-        "Pre_Scene_Command=false",
-        "Render_Pattern=1",
-        "Render_Block_Step=3",
-        "Real_Time_Raytracing=on",
-        "Warning_Console=off",
-        "+RFI",
-        "+RFcache.rca",
-        "+STP2",
-        "-RVP",
-        "+W8.5",
-    ] {
+    for line in TAKEN.lines().flat_map(|line| line.split(" | ")) {
         good(line);
     }
 }

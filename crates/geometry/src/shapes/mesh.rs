@@ -29,12 +29,12 @@ impl From<TriangleHit> for LocalHit {
 
 impl MeshShape {
     pub(crate) fn new(mesh: &Arc<Mesh>) -> Self {
-        let faces = mesh.faces.iter().map(|f| f.vertices).collect();
-        MeshShape { mesh: mesh.clone(), triangles: Triangles::new(mesh.vertices.clone(), faces) }
+        let triangles = Triangles::new(mesh.vertices.clone(), mesh.faces.corners.clone());
+        MeshShape { mesh: mesh.clone(), triangles }
     }
 
-    fn face(&self, hit: &LocalHit) -> &MeshFace {
-        &self.mesh.faces[hit.part as usize]
+    fn face(&self, hit: &LocalHit) -> MeshFace {
+        self.mesh.faces.face(hit.part as usize)
     }
 
     fn face_normal(&self, hit: &LocalHit) -> Vec3 {

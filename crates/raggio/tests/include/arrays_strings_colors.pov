@@ -13,13 +13,9 @@
 #declare B=array[300]; #declare S=seed(3); #declare i=0; #while(i<300) #declare B[i]=rand(S); #declare i=i+1; #end
 Sort_Array(B) PA("big",B)
 #declare D3=array[2][2][3]{{{0,1,0.5},{0.25,.1,.2}},{{.3,.4,.6},{.7,.8,2}}}
-ARRAYS_WriteDF3(D3,"o8.df3",8) ARRAYS_WriteDF3(D3,"o16.df3",16) 
-#declare D1=array[3]{1,200,-3} ARRAYS_WriteDF3(D1,"p8.df3",8)
-#declare D2=array[3][2]{{1,2},{3,4},{5,6}} ARRAYS_WriteDF3(D2,"p2.df3",16)
 #declare PS_=CRGBStr(rgb<.1,.2,.3>,0,3); PS("crgb",PS_) #declare PS_=CRGBFTStr(rgbft<.1,.2,.3,.4,.5>,6,2); PS("crgbft",PS_)
 #declare PS_=Str(1/3); PS("Str",PS_) #declare PS_=VStr2D(<1,2.5>); PS("V2",PS_) #declare PS_=VStr(<1,2,1/3>); PS("V3",PS_) #declare PS_=Vstr2D(<1,2>,6,2); PS("v2",PS_) #declare PS_=Vstr(<1,2,3>,-7,3); PS("v3",PS_)
 #declare PS_=Triangle_Str(x,y,z); PS("tri",PS_) #declare PS_=Smooth_Triangle_Str(x,x,y,y,z,z); PS("stri",PS_)
-#declare Q=Parse_String("1+2*3"); #declare PF_=Q; PF("parse",PF_)
 #declare i=-30; #while (i<420) #declare PV_=CH2RGB(i); PV(concat("CH2RGB",str(i,0,0)),PV_) #declare PC_=CHSL2RGB(<i,.3,.7,.1,.2>); PC("hsl",PC_) #declare PC_=CHSL2RGB(<i,1,.3>); PC("hsl2",PC_)  #declare PC_=CHSV2RGB(<i,.3,.7,.1,.2>); PC("hsv",PC_) #declare i=i+37; #end
 #declare S=seed(9); #declare i=0; #while(i<30) #declare C=<rand(S),rand(S),rand(S),.1,.2>; #declare PC_=C; PC("c",PC_) #declare PC_=CRGB2HSL(C); PC("2hsl",PC_) #declare PC_=CRGB2HSV(C); PC("2hsv",PC_) #declare i=i+1; #end
 #declare PC_=CRGB2HSL(rgb 1); PC("w",PC_) #declare PC_=CRGB2HSL(rgb 0); PC("b",PC_) #declare PC_=CRGB2HSV(rgb 0); PC("b",PC_) #declare PC_=CRGB2HSV(rgb .5); PC("g",PC_) #declare PC_=CRGB2HSV(rgb<1,1,0>); PC("y",PC_) #declare PC_=CRGB2HSV(rgb<1,0,1>); PC("m",PC_) #declare PC_=CRGB2HSV(rgb<0,1,1>); PC("c",PC_) #declare PC_=CRGB2HSV(rgb<1,0,.1>); PC("r",PC_)

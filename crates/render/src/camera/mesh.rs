@@ -75,7 +75,7 @@ impl MeshRays {
             }
         };
         let face = mesh.item.faces.get(face)?;
-        Some(self.leaving(&mesh.item, face, at, &mesh.parent_from_item))
+        Some(self.leaving(&mesh.item, &face, at, &mesh.parent_from_item))
     }
 
     fn concatenated(&self, mut index: usize) -> Option<Start<'_>> {
@@ -108,7 +108,7 @@ impl MeshRays {
     fn face_at(&self, mesh: &Mesh, uv: Vec2) -> Option<(usize, [f64; 3])> {
         let row = self.uv_rows.get(row_of(uv.y))?;
         row.iter().find_map(|&f| {
-            let [a, b, c] = corners(mesh, &mesh.faces[f as usize])?;
+            let [a, b, c] = corners(mesh, &mesh.faces.face(f as usize))?;
             let area = (b - a).perp_dot(c - a);
             let (v, w) = ((uv - a).perp_dot(c - a) / area, (b - a).perp_dot(uv - a) / area);
             let u = 1.0 - v - w;
@@ -135,7 +135,7 @@ fn row_of(v: f64) -> usize {
 fn index_rows(mesh: &Mesh) -> Vec<Vec<u32>> {
     let mut rows = vec![Vec::new(); UV_ROWS];
     for (i, face) in mesh.faces.iter().enumerate() {
-        if let Some(c) = corners(mesh, face) {
+        if let Some(c) = corners(mesh, &face) {
             let (low, high) = (c[0].y.min(c[1].y).min(c[2].y), c[0].y.max(c[1].y).max(c[2].y));
             for row in &mut rows[row_of(low)..=row_of(high)] {
                 row.push(i as u32);

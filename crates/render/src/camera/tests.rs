@@ -102,12 +102,12 @@ fn mesh_cameras_start_on_faces() {
     let mesh = scene::Mesh {
         vertices: vec![[0.0, 0.0, 0.0], [3.0, 0.0, 0.0], [0.0, 3.0, 0.0]],
         uvs: vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]],
-        faces: vec![scene::MeshFace {
+        faces: scene::Faces::from_iter([scene::MeshFace {
             vertices: [0, 1, 2],
             normals: None,
             uvs: Some([0, 1, 2]),
             texture: scene::FaceTexture::Object,
-        }],
+        }]),
         ..Default::default()
     };
     let mesh_camera = |method| scene::MeshCamera {

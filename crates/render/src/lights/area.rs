@@ -6,6 +6,9 @@ use raggio_scene as scene;
 use super::LightSource;
 use crate::sampling::Stream;
 
+/// The most samples along an axis, so that their number stays countable.
+const MOST: u32 = 4096;
+
 /// The samples of an area light.
 pub struct AreaGrid {
     axis1: Vec3,
@@ -32,8 +35,8 @@ impl AreaGrid {
         AreaGrid {
             axis1: area.axis1,
             axis2: area.axis2,
-            size1: area.size1.max(1),
-            size2: area.size2.max(1),
+            size1: area.size1.clamp(1, MOST),
+            size2: area.size2.clamp(1, MOST),
             adaptive: area.adaptive.unwrap_or(100),
             jitter: area.jitter,
             circular: (area.circular || area.orient) && area.size1 > 1 && area.size2 > 1,

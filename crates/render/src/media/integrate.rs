@@ -188,7 +188,8 @@ impl Interval {
         let n = self.samples;
         let mean = self.glow / n;
         let variance = (self.glow_squares / n - mean * mean) / n;
-        thresholds.get(n as usize).is_some_and(|&limit| f64::from(variance.max_element()) >= limit)
+        let limit = thresholds.get(n as usize).or(thresholds.last());
+        limit.is_some_and(|&limit| f64::from(variance.max_element()) >= limit)
     }
 }
 

@@ -35,6 +35,9 @@ pub struct Medium {
     sampling: Sampling,
 }
 
+/// For how many samples stopping is worked out; more of them stop as these do.
+const THRESHOLDS: u32 = 1000;
+
 /// How a medium wants to be sampled.
 struct Sampling {
     method: u8,
@@ -117,7 +120,11 @@ impl Sampling {
             min,
             max,
             jitter: f64::from(media.jitter),
-            thresholds: if adaptive { (0..=max + 1).map(threshold).collect() } else { Vec::new() },
+            thresholds: if adaptive {
+                (0..=max.min(THRESHOLDS)).map(threshold).collect()
+            } else {
+                Vec::new()
+            },
             ratio: f64::from(media.ratio),
             aa_level: media.aa_level,
             aa_threshold: media.aa_threshold,

@@ -134,11 +134,13 @@ struct Octree {
 struct Node {
     /// The middle.
     centre: Vec3,
-    /// Half the side of the doubled cell, which is the side of the cell itself.
+    /// The side, which is half that of the doubled cell.
     side: f64,
     level: i32,
     index: [i64; 3],
     children: [u32; 8],
+    /// Which of them there are, a bit each.
+    present: u8,
     /// Each with the radius in which it counts.
     samples: Vec<(Sample, f64)>,
 }
@@ -147,17 +149,32 @@ struct Node {
 const NONE: u32 = u32::MAX;
 /// Cells are no smaller and no larger than these powers of two.
 const LEVELS: std::ops::RangeInclusive<i32> = -40..=40;
+/// Added to coordinates, so that cells on both sides of the origin have an ancestor in common.
+const SHIFT: Vec3 = Vec3::splat(1e7);
 
 impl Node {
     fn new(level: i32, index: [i64; 3]) -> Node {
         let side = 2f64.powi(level);
         let centre = Vec3::from_array(index.map(|i| (i as f64 + 0.5) * side));
-        Node { centre, side, level, index, children: [NONE; 8], samples: Vec::new() }
+        Node { centre, side, level, index, children: [NONE; 8], present: 0, samples: Vec::new() }
     }
 
-    /// Does the doubled cell hold the point?
-    fn covers(&self, p: Vec3) -> bool {
-        (p - self.centre).abs().max_element() <= self.side
+    fn adopt(&mut self, slot: usize, child: u32) {
+        self.children[slot] = child;
+        self.present |= 1 << slot;
+    }
+
+    /// Which children's doubled cells hold the point: a bit each, found without looking at them.
+    fn reaching(&self, p: Vec3) -> u8 {
+        let offset = (p - self.centre) / (self.side / 4.0);
+        // By axis: the children on the upper side, and those on the lower side.
+        const UPPER: [u8; 3] = [0b1010_1010, 0b1100_1100, 0b1111_0000];
+        let side = |k: usize| {
+            let upper = if (-1.0..=3.0).contains(&offset[k]) { UPPER[k] } else { 0 };
+            let lower = if (-3.0..=1.0).contains(&offset[k]) { !UPPER[k] } else { 0 };
+            upper | lower
+        };
+        side(0) & side(1) & side(2)
     }
 }
 
@@ -169,9 +186,10 @@ fn index_at(p: Vec3, level: i32) -> [i64; 3] {
 impl Octree {
     fn insert(&mut self, sample: Sample, radius: f64) {
         let level = ((2.0 * radius).max(1e-12).log2().ceil() as i32).clamp(*LEVELS.start(), *LEVELS.end());
-        let mut node = self.grow_around(sample.p, level);
+        let p = sample.p + SHIFT;
+        let mut node = self.grow_around(p, level);
         while self.nodes[node as usize].level > level {
-            node = self.child_at(node, sample.p);
+            node = self.child_at(node, p);
         }
         self.nodes[node as usize].samples.push((sample, radius));
     }
@@ -189,7 +207,7 @@ impl Octree {
                 return self.root;
             }
             let mut parent = Node::new(root.level + 1, root.index.map(|i| i >> 1));
-            parent.children[octant(root.index)] = self.root;
+            parent.adopt(octant(root.index), self.root);
             self.root = self.nodes.len() as u32;
             self.nodes.push(parent);
         }
@@ -205,7 +223,7 @@ impl Octree {
         }
         let new = self.nodes.len() as u32;
         self.nodes.push(Node::new(level, index));
-        self.nodes[node as usize].children[slot] = new;
+        self.nodes[node as usize].adopt(slot, new);
         new
     }
 
@@ -214,14 +232,15 @@ impl Octree {
         if self.nodes.is_empty() {
             return;
         }
+        let p = p + SHIFT;
         let mut stack: smallvec::SmallVec<[u32; 64]> = smallvec::smallvec![self.root];
         while let Some(top) = stack.pop() {
             let node = &self.nodes[top as usize];
             node.samples.iter().for_each(|(sample, _)| each(sample));
-            for &child in &node.children {
-                if child != NONE && self.nodes[child as usize].covers(p) {
-                    stack.push(child);
-                }
+            let mut reaching = node.present & node.reaching(p);
+            while reaching != 0 {
+                stack.push(node.children[reaching.trailing_zeros() as usize]);
+                reaching &= reaching - 1;
             }
         }
     }

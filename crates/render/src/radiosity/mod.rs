@@ -44,7 +44,7 @@ impl Rules {
 
     /// Samples wanted for a reuse.
     fn wanted(&self, depth: u32) -> f32 {
-        let nearest = self.settings.nearest_count;
+        let nearest = self.settings.nearest_count.max(1);
         match depth {
             0 => nearest as f32,
             1 => nearest.min(2) as f32,

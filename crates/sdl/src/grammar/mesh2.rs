@@ -2,7 +2,7 @@
 use std::sync::Arc;
 
 use raggio_diag::Span;
-use raggio_scene::{FaceTexture, Mesh, MeshFace, Object, Shape, Texture};
+use raggio_scene::{FaceIndices, FaceTexture, Faces, Mesh, Object, Shape, Texture};
 
 use super::mesh::inside_vector;
 use super::object;
@@ -22,7 +22,8 @@ struct Lists {
     normals: Option<Vec<[f32; 3]>>,
     uvs: Option<Vec<[f32; 2]>>,
     textures: Vec<Arc<Texture>>,
-    faces: Vec<([u32; 3], FaceTexture)>,
+    faces: Vec<[u32; 3]>,
+    face_textures: Vec<FaceTexture>,
     uv_indices: Option<Vec<[u32; 3]>>,
     normal_indices: Option<Vec<[u32; 3]>>,
 }
@@ -73,7 +74,15 @@ fn list(p: &mut Parser, lists: &mut Lists, key: Kw) -> Result<bool> {
         Kw::Face_indices => {
             once(p, key, !lists.faces.is_empty())?;
             let textures = lists.textures.len();
-            lists.faces = counted(p, |p| face(p, textures))?;
+            let mut face_textures = Vec::new();
+            lists.faces = counted(p, |p| {
+                let corners = indices(p)?;
+                if textures > 0 {
+                    face_textures.push(face_texture(p, textures)?);
+                }
+                Ok(corners)
+            })?;
+            lists.face_textures = face_textures;
         }
         Kw::Uv_indices => {
             once(p, key, lists.uv_indices.is_some())?;
@@ -134,12 +143,8 @@ fn indices(p: &mut Parser) -> Result<[u32; 3]> {
     Ok([v.x as u32, v.y as u32, v.z as u32])
 }
 
-/// `<a, b, c> [, texture [, texture, texture]]`
-fn face(p: &mut Parser, textures: usize) -> Result<([u32; 3], FaceTexture)> {
-    let corners = indices(p)?;
-    if textures == 0 {
-        return Ok((corners, FaceTexture::Object));
-    }
+/// `[, texture [, texture, texture]]` behind a face's corners
+fn face_texture(p: &mut Parser, textures: usize) -> Result<FaceTexture> {
     let mut listed = Vec::new();
     while listed.len() < 3 {
         p.comma()?;
@@ -153,14 +158,11 @@ fn face(p: &mut Parser, textures: usize) -> Result<([u32; 3], FaceTexture)> {
         }
         listed.push(index as u32);
     }
-    Ok((
-        corners,
-        match listed[..] {
-            [a, b, c] => FaceTexture::Three([a, b, c]),
-            [a, ..] => FaceTexture::One(a),
-            [] => FaceTexture::Object,
-        },
-    ))
+    Ok(match listed[..] {
+        [a, b, c] => FaceTexture::Three([a, b, c]),
+        [a, ..] => FaceTexture::One(a),
+        [] => FaceTexture::Object,
+    })
 }
 
 /// Checks the lists against each other and makes the mesh; triangles without area are dropped.
@@ -171,38 +173,45 @@ fn assembled(p: &mut Parser, lists: Lists, span: Span) -> Result<Mesh> {
     if lists.faces.is_empty() {
         return p.error("bad-mesh2", "no triangles in triangle mesh", span);
     }
-    let corners: Vec<[u32; 3]> = lists.faces.iter().map(|(corners, _)| *corners).collect();
+    let corners = lists.faces;
+    let fault = |message: &str| p.error("bad-mesh2", message, span);
     check(p, &corners, vertices.len(), "mesh face index out of range", span)?;
     let uvs = lists.uvs.unwrap_or_default();
     let uv_indices = match lists.uv_indices {
-        Some(indices) if indices.len() == corners.len() => indices,
-        Some(_) => return p.error("bad-mesh2", "number of uv indices must equal number of faces", span),
-        None if uvs.len() == vertices.len() && uvs.len() > 1 => corners.clone(),
-        None if uvs.len() == 1 => vec![[0; 3]; corners.len()],
-        None if uvs.is_empty() => Vec::new(),
-        None => return p.error("bad-mesh2", "missing uv_indices section in mesh2", span),
+        Some(indices) if indices.len() == corners.len() => {
+            check(p, &indices, uvs.len(), "mesh uv index out of range", span)?;
+            FaceIndices::Listed(indices.into_iter().map(Some).collect())
+        }
+        Some(_) => return fault("number of uv indices must equal number of faces"),
+        None if uvs.len() == vertices.len() && uvs.len() > 1 => FaceIndices::Corners,
+        None if uvs.len() == 1 => FaceIndices::Listed(vec![Some([0; 3]); corners.len()]),
+        None if uvs.is_empty() => FaceIndices::None,
+        None => return fault("missing uv_indices section in mesh2"),
     };
     let normals = lists.normals.unwrap_or_default();
     let normal_indices = match lists.normal_indices {
-        Some(indices) if indices.len() <= corners.len() => indices,
-        Some(_) => {
-            let message = "number of normal indices cannot be more than the number of faces";
-            return p.error("bad-mesh2", message, span);
+        Some(indices) if indices.len() <= corners.len() => {
+            check(p, &indices, normals.len(), "mesh normal index out of range", span)?;
+            let listed = |i: usize| indices.get(i).copied().filter(|&n| !agree(&normals, n));
+            FaceIndices::Listed((0..corners.len()).map(listed).collect())
         }
-        None if normals.len() == vertices.len() => corners.clone(),
-        None if normals.is_empty() => Vec::new(),
-        None => return p.error("bad-mesh2", "missing normal_indices section in mesh2", span),
+        Some(_) => return fault("number of normal indices cannot be more than the number of faces"),
+        None if normals.len() == vertices.len() => at_corners(&normals, &corners),
+        None if normals.is_empty() => FaceIndices::None,
+        None => return fault("missing normal_indices section in mesh2"),
     };
-    check(p, &uv_indices, uvs.len(), "mesh uv index out of range", span)?;
-    check(p, &normal_indices, normals.len(), "mesh normal index out of range", span)?;
-    let faces = lists.faces.iter().enumerate().map(|(i, &(corners, texture))| MeshFace {
-        vertices: corners,
-        normals: normal_indices.get(i).copied().filter(|n| !agree(&normals, *n)),
-        uvs: uv_indices.get(i).copied(),
-        texture,
-    });
-    let faces = faces.filter(|face| has_area(&vertices, face.vertices)).collect();
+    let mut faces =
+        Faces { corners, normals: normal_indices, uvs: uv_indices, textures: lists.face_textures };
+    faces.drop_degenerate(&vertices);
     Ok(Mesh { vertices, normals, uvs, textures: lists.textures, faces, inside_vector: None })
+}
+
+/// A normal for each vertex.
+fn at_corners(normals: &[[f32; 3]], corners: &[[u32; 3]]) -> FaceIndices {
+    if !corners.iter().any(|&c| agree(normals, c)) {
+        return FaceIndices::Corners;
+    }
+    FaceIndices::Listed(corners.iter().map(|&c| Some(c).filter(|&c| !agree(normals, c))).collect())
 }
 
 fn check(p: &Parser, indices: &[[u32; 3]], size: usize, message: &str, span: Span) -> Result<()> {
@@ -216,9 +225,4 @@ fn check(p: &Parser, indices: &[[u32; 3]], size: usize, message: &str, span: Spa
 fn agree(normals: &[[f32; 3]], indices: [u32; 3]) -> bool {
     let [a, b, c] = indices.map(|i| raggio_math::Vec3::from_array(normals[i as usize].map(f64::from)));
     (a - b).length_squared() <= 1e-10 && (a - c).length_squared() <= 1e-10
-}
-
-fn has_area(vertices: &[[f32; 3]], corners: [u32; 3]) -> bool {
-    let points = corners.map(|i| raggio_math::Vec3::from_array(vertices[i as usize].map(f64::from)));
-    super::triangles::face_normal(points) != raggio_math::Vec3::ZERO
 }

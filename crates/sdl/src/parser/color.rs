@@ -11,11 +11,6 @@ impl Parser<'_> {
         self.channels().map(Color::from_array)
     }
 
-    /// A colour slot where filter and transmit mean nothing.
-    pub fn rgb(&mut self) -> Result<raggio_scene::Rgb> {
-        Ok(self.color()?.rgb)
-    }
-
     /// Does a word come next with which a colour begins?
     pub(super) fn at_color_word(&mut self) -> Result<bool> {
         let Tok::Kw(kw) = self.peek()? else { return Ok(false) };

@@ -53,7 +53,7 @@ mod tests {
 
     #[test]
     fn numbers_print_as_in_c() {
-        assert_eq!(fixed(-3.14159, -8, 2), "-0003.14");
+        assert_eq!(fixed(-2.71, -8, 2), "-0002.71");
         assert_eq!(fixed(2.5, 0, 0), "2");
         assert_eq!(fixed(-3.5, 6, 0), "    -4");
         assert_eq!(fixed(f64::INFINITY, -6, 1), "   inf");

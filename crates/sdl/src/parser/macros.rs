@@ -4,6 +4,8 @@ use std::rc::Rc;
 use raggio_diag::Span;
 use smallvec::SmallVec;
 
+use super::compiled::Level;
+use super::expr::value_of;
 use super::scope::Entry;
 use super::symbol::Symbol;
 use super::token::{Lexed, Lexeme, NONE};
@@ -140,6 +142,9 @@ impl Parser<'_> {
 
     /// One argument: a bare identifier or array element by reference, anything else by value.
     fn argument(&mut self) -> Result<Entry> {
+        if let Some(value) = self.compiled(Level::Argument) {
+            return Ok(Entry::Value(value_of(value)));
+        }
         let Tok::Value(kind) = self.peek()? else {
             if self.peek()? == Tok::Unknown {
                 return self.undeclared("can't be given to a macro");

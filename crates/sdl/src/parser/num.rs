@@ -55,8 +55,8 @@ impl Num {
 
     fn zip_components(self, other: Num, len: u8, op: impl Fn(f64, f64) -> f64) -> Num {
         let mut v = [0.0; 5];
-        for i in 0..len as usize {
-            v[i] = op(self.v[i], other.v[i]);
+        for (out, (&a, &b)) in v.iter_mut().zip(self.v.iter().zip(&other.v)).take(len as usize) {
+            *out = op(a, b);
         }
         Num { v, len }
     }

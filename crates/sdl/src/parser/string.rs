@@ -245,7 +245,7 @@ impl Parser<'_> {
                 Kw::Val => leading_number(&text),
                 _ => {
                     p.comma()?;
-                    compare(&text, &*p.string()?)
+                    compare(&text, &p.string()?)
                 }
             })
         })

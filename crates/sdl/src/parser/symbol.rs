@@ -48,9 +48,4 @@ impl Symbols {
     pub fn name(&self, symbol: Symbol) -> &Rc<str> {
         &self.names[symbol.0 as usize]
     }
-
-    /// How many words there are.
-    pub fn len(&self) -> usize {
-        self.names.len()
-    }
 }

@@ -87,11 +87,6 @@ impl Parser<'_> {
         true
     }
 
-    /// Has `assumed_gamma` been executed?
-    pub fn gamma_is_explicit(&self) -> bool {
-        self.gamma_explicit
-    }
-
     fn update_gamma(&mut self) {
         if self.gamma_explicit {
             return;

@@ -1,5 +1,5 @@
 //! Runs scene texts and collects what they say.
-#![allow(dead_code)]
+#![allow(dead_code, clippy::unwrap_used)]
 use std::collections::BTreeMap;
 use std::sync::atomic::AtomicBool;
 use std::sync::{Arc, Mutex};

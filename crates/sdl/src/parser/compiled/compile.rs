@@ -17,6 +17,10 @@ pub fn compile(file: &Lexed, start: u32, end: u32, level: Level, scopes: &Scopes
     let root = match level {
         Level::Additive => compiler.additive()?,
         Level::Full => compiler.full()?,
+        Level::Argument => match compiler.additive()? {
+            Node::Var(_) | Node::Item(..) => return None,
+            root => root,
+        },
     };
     // A name could be a macro with more operators, a directive could do anything.
     match compiler.peek()? {

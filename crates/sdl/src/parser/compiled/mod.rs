@@ -22,6 +22,8 @@ pub enum Level {
     Additive,
     /// Comparisons and `? :` as well.
     Full,
+    /// A macro's argument: additive, but a bare name is not for us, as it goes by reference.
+    Argument,
 }
 
 /// An expression as a tree.
@@ -41,8 +43,8 @@ enum State {
     /// Nothing.
     #[default]
     New,
-    /// It has been walked once.
-    Seen,
+    /// It has been walked once, by this level; lower ones that begin at the same token don't count.
+    Seen(Level),
     /// It can't be a tree.
     Never,
     /// Its tree.
@@ -85,10 +87,11 @@ impl Parser<'_> {
         let program = match state {
             State::Never => return None,
             State::New => {
-                *state = State::Seen;
+                *state = State::Seen(level);
                 return None;
             }
-            State::Seen => {
+            State::Seen(seen) if *seen != level => return None,
+            State::Seen(_) => {
                 let end = self.cursor.frame.end;
                 let Some(program) = compile::compile(&file, start, end, level, &self.scopes) else {
                     *state = State::Never;
