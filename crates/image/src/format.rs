@@ -7,6 +7,8 @@ pub enum Format {
     Png,
     Jpeg,
     Gif,
+    /// Fractint's continuous potential: a GIF whose right half holds the low bytes of the left half's values.
+    Pot,
     Tga,
     /// PBM, PGM and PPM, plain or raw.
     Pnm,
@@ -26,6 +28,7 @@ impl Format {
             "png" => Format::Png,
             "jpg" | "jpeg" => Format::Jpeg,
             "gif" => Format::Gif,
+            "pot" => Format::Pot,
             "tga" => Format::Tga,
             "ppm" | "pgm" | "pbm" | "pnm" => Format::Pnm,
             "bmp" => Format::Bmp,
@@ -63,6 +66,7 @@ impl Format {
             Format::Png => "png",
             Format::Jpeg => "jpg",
             Format::Gif => "gif",
+            Format::Pot => "pot",
             Format::Tga => "tga",
             Format::Pnm => "ppm",
             Format::Bmp => "bmp",

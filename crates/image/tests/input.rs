@@ -89,6 +89,18 @@ fn gif_keeps_its_palette() {
 }
 
 #[test]
+fn potential_joins_the_halves() {
+    let mut file = Vec::new();
+    let mut encoder = gif::Encoder::new(&mut file, 4, 2, &[0; 768]).expect("a header");
+    let frame = gif::Frame::from_indexed_pixels(4, 2, vec![1, 2, 0x80, 0xff, 3, 4, 5, 6], None);
+    encoder.write_frame(&frame).expect("a frame");
+    drop(encoder);
+    let bitmap = read(&file, Format::Pot);
+    assert_eq!((bitmap.width, bitmap.height), (2, 2));
+    assert_eq!(bitmap.pixels, Pixels::Grey16(vec![0x180, 0x2ff, 0x305, 0x406]));
+}
+
+#[test]
 fn bmp_keeps_its_palette() {
     let mut file = Vec::new();
     let mut encoder = image::codecs::bmp::BmpEncoder::new(&mut file);

@@ -1,4 +1,4 @@
-//! GIF: the first frame, with its palette.
+//! GIF: the first frame, with its palette; and Fractint's use of it for values of two bytes.
 use std::io::Cursor;
 use std::num::NonZeroU64;
 
@@ -36,4 +36,17 @@ pub(super) fn decode(bytes: &[u8]) -> Result<Bitmap, DecodeError> {
     }
     let pixels = Pixels::Palette { indices, colors };
     Ok(Bitmap { width, height, pixels, curve: FileCurve::CustomSrgb, premultiplied: false })
+}
+
+/// The high bytes stand in the left half, the low bytes in the right half.
+pub(super) fn decode_potential(bytes: &[u8]) -> Result<Bitmap, DecodeError> {
+    let Bitmap { width, height, pixels, .. } = decode(bytes)?;
+    let Pixels::Palette { indices, .. } = pixels else { return Err(DecodeError::Unknown) };
+    let (half, _) = checked_size(width / 2, height)?;
+    let joined = |row: &[u8]| -> Vec<u16> {
+        let low = &row[half..];
+        row[..half].iter().zip(low).map(|(&high, &low)| u16::from_be_bytes([high, low])).collect()
+    };
+    let pixels = Pixels::Grey16(indices.chunks_exact(width).flat_map(joined).collect());
+    Ok(Bitmap { width: half, height, pixels, curve: FileCurve::None, premultiplied: false })
 }

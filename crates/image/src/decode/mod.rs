@@ -29,12 +29,17 @@ pub enum DecodeError {
     Damaged(Format, String),
 }
 
-/// Decodes a picture. Where the bytes carry a mark they decide on the format; `format` is for those that do not.
+/// Decodes a picture. Where the bytes carry a mark they decide on the format; `format` is for those that do not,
+/// and for [`Format::Pot`], which looks like GIF.
 pub fn decode(bytes: &[u8], format: Option<Format>) -> Result<Bitmap, DecodeError> {
-    let format = Format::from_bytes(bytes).or(format).ok_or(DecodeError::Unknown)?;
+    let format = match (Format::from_bytes(bytes), format) {
+        (Some(Format::Gif), Some(Format::Pot)) => Format::Pot,
+        (found, named) => found.or(named).ok_or(DecodeError::Unknown)?,
+    };
     let bitmap = match format {
         Format::Png => png::decode(bytes),
         Format::Gif => gif::decode(bytes),
+        Format::Pot => gif::decode_potential(bytes),
         Format::Tga => tga::decode(bytes),
         Format::Exr => exr::decode(bytes),
         Format::Iff => return Err(DecodeError::Unsupported(format)),

@@ -89,7 +89,9 @@ pub fn encode(picture: &Picture, options: &EncodeOptions, out: &mut impl Write) 
     match options.format {
         Format::Hdr => files::write_hdr(picture, options.working, out),
         Format::Exr => files::write_exr(picture, options, out),
-        Format::Gif | Format::Tiff | Format::Iff => Err(EncodeError::Unsupported(options.format)),
+        Format::Gif | Format::Pot | Format::Tiff | Format::Iff => {
+            Err(EncodeError::Unsupported(options.format))
+        }
         Format::Png => write_png(&develop(picture, options), out),
         Format::Pnm => files::write_pnm(&develop(picture, options), options.bits, out),
         Format::Jpeg => files::write_jpeg(&develop(picture, options), options.quality, out),

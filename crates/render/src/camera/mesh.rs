@@ -25,6 +25,10 @@ pub struct MeshRays {
 /// A face of a mesh, and the place on it by barycentric weights (the middle where `None`).
 type Start<'a> = (&'a Placed<Mesh>, usize, Option<[f64; 3]>);
 
+/// How far a point may lie outside a texture triangle: texture places are kept in single precision, and a
+/// point on the seam of two faces must not fall between them.
+const UV_SLACK: f64 = 1e-5;
+
 /// Rows of the face index of method 3.
 const UV_ROWS: usize = 256;
 
@@ -92,7 +96,8 @@ impl MeshRays {
         let weights = at.unwrap_or([1.0 / 3.0; 3]);
         let points = face.vertices.map(|v| wide(mesh.vertices[v as usize]));
         let mix = |p: [Vec3; 3]| p[0] * weights[0] + p[1] * weights[1] + p[2] * weights[2];
-        let flat = (points[1] - points[0]).cross(points[2] - points[0]);
+        // The side from which the corners run clockwise is the front.
+        let flat = (points[2] - points[0]).cross(points[1] - points[0]);
         let normal = match (self.smooth && at.is_some(), face.normals) {
             (true, Some(normals)) => mix(normals.map(|n| wide(mesh.normals[n as usize]))),
             _ => flat,
@@ -112,7 +117,7 @@ impl MeshRays {
             let area = (b - a).perp_dot(c - a);
             let (v, w) = ((uv - a).perp_dot(c - a) / area, (b - a).perp_dot(uv - a) / area);
             let u = 1.0 - v - w;
-            (u >= 0.0 && v >= 0.0 && w >= 0.0).then_some((f as usize, [u, v, w]))
+            (u.min(v).min(w) >= -UV_SLACK).then_some((f as usize, [u, v, w]))
         })
     }
 }

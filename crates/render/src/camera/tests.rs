@@ -122,13 +122,13 @@ fn mesh_cameras_start_on_faces() {
     let rays = MeshRays::new(&std::sync::Arc::new(mesh_camera(0)), &frame);
     let one = Frame { width: 1.0, height: 1.0 };
     let ray = rays.ray(0.0, 0.0, 0, one).unwrap();
-    assert!((ray.origin - Vec3::new(1.0, 1.0, 0.5)).length() < 1e-12);
-    assert!((ray.dir - Vec3::Z).length() < 1e-12);
+    assert!((ray.origin - Vec3::new(1.0, 1.0, -0.5)).length() < 1e-12);
+    assert!((ray.dir + Vec3::Z).length() < 1e-12);
     assert!(rays.ray(0.0, 0.0, 1, one).is_none());
     let by_uv = MeshRays::new(&std::sync::Arc::new(mesh_camera(3)), &frame);
     // x' = 0.5, y' = 6.5 of a 10 x 10 picture: u = 0, v = 0.3.
     let ray = by_uv.ray(0.0, 7.0, 0, Frame { width: 10.0, height: 10.0 });
     let ray = ray.expect("the uv triangle holds the point");
-    assert!((ray.origin - Vec3::new(0.0, 0.9, 0.5)).length() < 1e-12, "{}", ray.origin);
+    assert!((ray.origin - Vec3::new(0.0, 0.9, -0.5)).length() < 1e-12, "{}", ray.origin);
     assert!(by_uv.ray(9.0, 0.0, 0, Frame { width: 10.0, height: 10.0 }).is_none());
 }

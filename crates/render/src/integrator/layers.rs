@@ -2,7 +2,7 @@
 //! section 3.2).
 use raggio_image::{Color, Rgb, grey};
 use raggio_math::{EPS, Vec3};
-use raggio_scene::Finish;
+use raggio_scene::{Finish, Irid};
 use raggio_shading::{Context, Layer};
 use smallvec::SmallVec;
 
@@ -22,6 +22,8 @@ struct Stack {
     colored: bool,
     /// The normal of the top layer.
     n_top: Vec3,
+    /// The thin film of the top layer, which colours total reflection.
+    irid_top: Option<Irid>,
     /// Diffuse light from other surfaces before and behind, found once for all layers.
     around: [Option<Rgb>; 2],
     /// The radius of the photons gathered, found once for all layers.
@@ -48,6 +50,7 @@ impl Tracer<'_> {
             through: 1.0,
             colored: false,
             n_top: point.n,
+            irid_top: None,
             around: [None; 2],
             photons: None,
             mirrors: SmallVec::new(),
@@ -64,6 +67,7 @@ impl Tracer<'_> {
             };
             if i == 0 {
                 stack.n_top = n;
+                stack.irid_top = layer.finish.irid;
             }
             self.layer(point, layer, n, p, context, &mut stack);
         }
@@ -202,7 +206,7 @@ impl Tracer<'_> {
             let fade = self.world.interior(point.material.interior).seen_through(point);
             total = behind.total;
             if total {
-                seen.rgb += fade * behind.seen.rgb;
+                seen.rgb += fade * behind.seen.rgb * self.film(stack.irid_top.as_ref(), point, stack.n_top);
             } else {
                 let filter = if stack.colored { stack.filter } else { Rgb::ONE };
                 seen.rgb += fade * behind.seen.rgb * filter;

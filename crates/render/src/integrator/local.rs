@@ -175,7 +175,7 @@ impl Tracer<'_> {
     }
 
     /// Brightening and darkening by a thin film (textures spec, section 9.3).
-    fn interference(&self, irid: &Irid, p: Vec3, way: f64) -> Rgb {
+    pub(super) fn interference(&self, irid: &Irid, p: Vec3, way: f64) -> Rgb {
         let mut thickness = f64::from(irid.thickness);
         if irid.turbulence != 0.0 {
             let t = noise::turbulence(self.world.rules.noise.generator, p, 5, 0.5, 2.0);

@@ -2,7 +2,7 @@
 use raggio_geometry::RayClass;
 use raggio_image::Rgb;
 use raggio_math::{EPS, Ray, Vec3};
-use raggio_scene::{Finish, Reflection};
+use raggio_scene::{Finish, Irid, Reflection};
 
 use super::local::tinted;
 use super::surface::SurfacePoint;
@@ -14,6 +14,8 @@ pub struct Mirror {
     pub n: Vec3,
     /// What part of each colour is reflected.
     pub reflectivity: Rgb,
+    /// What a thin film makes of the light that is seen in the mirror; it takes nothing from the layers below.
+    film: Rgb,
     weight: f32,
     exponent: f32,
 }
@@ -48,7 +50,16 @@ impl Tracer<'_> {
             reflectivity = tinted(reflectivity, reflection.metallic, cosine, rgb);
         }
         let weight = point.beam.weight * through * factor;
-        Some(Mirror { n, reflectivity, weight, exponent: reflection.exponent })
+        let film = self.film(finish.irid.as_ref(), point, n);
+        Some(Mirror { n, reflectivity, film, weight, exponent: reflection.exponent })
+    }
+
+    /// What a thin film makes of light that is seen mirrored.
+    pub(super) fn film(&self, irid: Option<&Irid>, point: &SurfacePoint<'_>, n: Vec3) -> Rgb {
+        let Some(irid) = irid else { return Rgb::ONE };
+        let d = point.beam.ray.dir;
+        let way = n.dot(d).abs() + n.dot(reflected_direction(d, n, point.n)).abs();
+        self.interference(irid, point.surface.p, way)
     }
 
     /// The light that comes by way of a mirror.
@@ -58,7 +69,7 @@ impl Tracer<'_> {
         }
         let beam = reflected(point, mirror.n, mirror.weight);
         let rgb = self.trace(&beam, false).rgb;
-        mirror.apply(rgb)
+        mirror.apply(rgb) * mirror.film
     }
 }
 

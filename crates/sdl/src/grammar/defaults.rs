@@ -4,7 +4,7 @@ use std::sync::Arc;
 use raggio_scene::{Camera, Color, Finish, Layer, Normal, Pigment, Texture, TextureKind};
 
 use super::util::{set32, word};
-use super::{camera, texture};
+use super::{camera, normal, texture};
 use crate::keyword::Kw;
 use crate::parser::{Parser, Result};
 
@@ -13,6 +13,8 @@ use crate::parser::{Parser, Result};
 pub struct Defaults {
     /// One plain layer.
     pub texture: Arc<Texture>,
+    /// What normals begin with when the default texture has none.
+    pub bump_size: f32,
     /// What a camera begins with; `None` is the language's own.
     pub camera: Option<Arc<Camera>>,
     /// `radiosity { importance }` of objects that give none.
@@ -24,7 +26,7 @@ impl Default for Defaults {
         let pigment = Arc::new(Pigment::solid(Color::BLACK));
         let layer = Layer { pigment, normal: None, finish: Finish::default() };
         let texture = Arc::new(Texture { kind: TextureKind::Layers(vec![layer]) });
-        Defaults { texture, camera: None, radiosity_importance: 1.0 }
+        Defaults { texture, bump_size: normal::BUMP_SIZE, camera: None, radiosity_importance: 1.0 }
     }
 }
 
@@ -72,7 +74,16 @@ pub fn default_directive(p: &mut Parser) -> Result<()> {
                 }
                 p.defaults.texture = Arc::new(new);
             }
-            Some(part @ (Kw::Pigment | Kw::Normal | Kw::Finish)) => {
+            Some(Kw::Normal) => {
+                p.next()?;
+                let mut new = (*p.defaults.texture).clone();
+                let base = p.defaults.normal();
+                let draft = normal::read(p, base.as_deref())?;
+                p.defaults.bump_size = draft.bump_size();
+                texture::top_layer(p, &mut new)?.normal = draft.finish(p)?;
+                p.defaults.texture = Arc::new(new);
+            }
+            Some(part @ (Kw::Pigment | Kw::Finish)) => {
                 let mut new = (*p.defaults.texture).clone();
                 texture::layer_part(p, &mut new, part)?;
                 p.defaults.texture = Arc::new(new);

@@ -11,6 +11,9 @@ use crate::keyword::Kw;
 use crate::parser::{Parser, Result, Tok};
 use crate::value::{Kind, Value};
 
+/// The bump size of normals that name none.
+pub const BUMP_SIZE: f32 = 0.5;
+
 /// A normal that is not complete yet.
 #[derive(Clone, Debug)]
 pub struct Draft {
@@ -38,7 +41,7 @@ impl Draft {
             slope_map: None,
             image: None,
             on_uv: None,
-            amount: 0.5,
+            amount: BUMP_SIZE,
             accuracy: 0.02,
             no_bump_scale: false,
             uv: false,
@@ -64,6 +67,11 @@ impl Draft {
             NormalKind::Uv(inner) => draft.on_uv = Some(inner.clone()),
         }
         Draft { amount: base.amount, accuracy: base.accuracy, no_bump_scale: base.no_bump_scale, ..draft }
+    }
+
+    /// How much it bends.
+    pub fn bump_size(&self) -> f32 {
+        self.amount
     }
 
     /// The finished normal; `None` if no pattern has been named.
@@ -112,9 +120,20 @@ fn special(kind: &PatternKind, bumps: bool) -> Option<NormalPattern> {
 
 /// `{ ... }` of a normal that begins as `base`; the word has been read.
 pub fn block(p: &mut Parser, base: Option<&Normal>) -> Result<Option<Arc<Normal>>> {
-    let mut draft = Draft::new(base);
+    read(p, base)?.finish(p)
+}
+
+/// The same, not finished.
+pub fn read(p: &mut Parser, base: Option<&Normal>) -> Result<Draft> {
+    let mut draft = begin(p, base);
     p.block("normal", |p| item(p, &mut draft))?;
-    draft.finish(p)
+    Ok(draft)
+}
+
+/// A draft with the default bump size where nothing else gives one.
+fn begin(p: &Parser, base: Option<&Normal>) -> Draft {
+    let draft = Draft::new(base);
+    if base.is_some() { draft } else { Draft { amount: p.defaults.bump_size, ..draft } }
 }
 
 /// One item of a normal.
@@ -214,10 +233,10 @@ pub fn normal_map(p: &mut Parser) -> Result<Arc<Map<Normal>>> {
     };
     maps::map(p, "normal_map", Kind::NormalMap, shared, |p, position, entries| {
         let base = p.defaults.normal();
-        let mut draft = Draft::new(base.as_deref());
+        let mut draft = begin(p, base.as_deref());
         until(p, ']', "normal_map", |p| match p.accept(Kw::Normal)? {
             true => {
-                draft = Draft::new(block(p, base.as_deref())?.as_deref());
+                draft = read(p, base.as_deref())?;
                 Ok(true)
             }
             false => item(p, &mut draft),

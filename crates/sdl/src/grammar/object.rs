@@ -172,14 +172,16 @@ pub fn refuse_patch(p: &mut Parser, object: &Object) -> Result<()> {
 }
 
 /// Gives the default texture to whatever of a top-level object would have none. Members of a CSG with
-/// `cutaway_textures` stay bare, for there that means something.
+/// `cutaway_textures` stay bare, for there that means something, unless none of them has a texture.
 pub fn apply_default_texture(object: &mut Object, default: &Arc<Texture>) {
     if object.texture.is_some() {
         return;
     }
     if let ObjectKind::Csg { op, children } = &mut object.kind {
         let cutaway = is_cutaway(*op);
-        if cutaway || children.iter().any(|child| any_part(child, &has_cutaway)) {
+        let textured = |child: &Arc<Object>| any_part(child, &|part| part.texture.is_some());
+        let within = children.iter().any(|child| any_part(child, &has_cutaway));
+        if (cutaway && children.iter().any(textured)) || (!cutaway && within) {
             for child in Arc::make_mut(children) {
                 if !cutaway || matches!(child.kind, ObjectKind::Csg { .. }) {
                     apply_default_texture(Arc::make_mut(child), default);

@@ -212,7 +212,8 @@ pub fn layer_part(p: &mut Parser, texture: &mut Texture, word: Kw) -> Result<boo
     Ok(true)
 }
 
-fn top_layer<'t>(p: &mut Parser, texture: &'t mut Texture) -> Result<&'t mut Layer> {
+/// The layer that `pigment`, `normal` and `finish` change.
+pub fn top_layer<'t>(p: &mut Parser, texture: &'t mut Texture) -> Result<&'t mut Layer> {
     let span = p.span();
     if let TextureKind::Layers(layers) = &mut texture.kind
         && let Some(layer) = layers.last_mut()
@@ -279,7 +280,7 @@ fn list_items(p: &mut Parser, size: usize) -> Result<Option<Map<Texture>>> {
     Ok(Some(map))
 }
 
-/// `tiles { texture { } tile2 texture { } }`: a checker of two textures.
+/// `tiles { texture { } tile2 texture { } }`: a checker of two textures, the second where the checker has its first.
 fn tiles(p: &mut Parser) -> Result<Texture> {
     p.next()?;
     let (mut both, mut current) = ([None, None], 0);
@@ -299,7 +300,7 @@ fn tiles(p: &mut Parser) -> Result<Texture> {
     let mut pattern = pattern::Draft::default();
     pattern.set_kind(PatternKind::Checker);
     let pattern = pattern.finish(PatternKind::Checker);
-    Ok(Texture { kind: TextureKind::Patterned { pattern, map: vec![(0.0, first), (1.0, second)] } })
+    Ok(Texture { kind: TextureKind::Patterned { pattern, map: vec![(0.0, second), (1.0, first)] } })
 }
 
 /// `material_map { image texture { } ... }`; the word has been read.

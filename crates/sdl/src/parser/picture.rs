@@ -19,6 +19,7 @@ fn of_word(word: Kw) -> Option<(Format, &'static [&'static str])> {
         Kw::Ppm => (Format::Pnm, &["ppm"]),
         Kw::Pgm => (Format::Pnm, &["pgm"]),
         Kw::Gif => (Format::Gif, &["gif"]),
+        Kw::Pot => (Format::Pot, &["pot"]),
         Kw::Iff => (Format::Iff, &["iff"]),
         Kw::Jpeg => (Format::Jpeg, &["jpg", "jpeg"]),
         Kw::Tiff => (Format::Tiff, &["tif", "tiff"]),
