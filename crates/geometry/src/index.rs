@@ -4,10 +4,10 @@ use std::sync::Arc;
 use raggio_bvh::{Built, Bvh};
 use raggio_math::{Aabb, Vec3};
 
-use crate::probe::Probe;
+use crate::probe::{BoxRay, Probe};
 
 /// Up to so many members are asked for in a row, without a tree.
-const FEW: usize = 8;
+pub(crate) const FEW: usize = 8;
 
 /// Boxes are padded by this share, and by this much, for what rounding does to points and distances.
 const PADDING: f64 = 1e-7;
@@ -44,7 +44,7 @@ pub(crate) struct Deciders {
 }
 
 /// A box grown by what rounding may do.
-fn padded(b: &Aabb) -> Aabb {
+pub(crate) fn padded(b: &Aabb) -> Aabb {
     let pad = |v: Vec3| v.map(|x| if x.is_finite() { (1.0 + x.abs()) * PADDING } else { 0.0 });
     Aabb { min: b.min - pad(b.min), max: b.max + pad(b.max) }
 }
@@ -92,7 +92,7 @@ impl Index {
         match self {
             Index::Few(boxes) => {
                 let mut order = [(0.0, 0); FEW];
-                let touched = in_order(boxes, probe, range, &mut order);
+                let touched = in_order(boxes, &probe.boxes, range, &mut order);
                 for &(t, member) in touched {
                     if t > far {
                         break;
@@ -116,7 +116,7 @@ impl Index {
     pub(crate) fn all(&self, probe: &Probe, range: (f64, f64), mut visit: impl FnMut(u32)) {
         match self {
             Index::Few(boxes) => {
-                let touched = |b: &Aabb| probe.entry(b, range).is_some();
+                let touched = |b: &Aabb| probe.boxes.entry(b, range).is_some();
                 boxes.iter().filter(|(b, _)| touched(b)).for_each(|&(_, member)| visit(member));
             }
             Index::Many { bvh, listed } => {
@@ -130,17 +130,17 @@ impl Index {
     }
 }
 
-/// The boxes that the ray touches, in the order in which it does.
+/// The boxes that the ray touches, in the order in which it does, each with where it does and its number.
 #[inline]
-fn in_order<'a>(
+pub(crate) fn in_order<'a>(
     boxes: &[(Aabb, u32)],
-    probe: &Probe,
+    ray: &BoxRay,
     range: (f64, f64),
     order: &'a mut [(f64, u32); FEW],
 ) -> &'a [(f64, u32)] {
     let mut count = 0;
     for (b, member) in boxes.iter().take(FEW) {
-        if let Some(t) = probe.entry(b, range) {
+        if let Some(t) = ray.entry(b, range) {
             let mut at = count;
             while at > 0 && order[at - 1].0 > t {
                 order[at] = order[at - 1];

@@ -86,7 +86,7 @@ impl Tracer<'_> {
             if hazy && !inside.is_empty() {
                 light *= self.media_filter(inside, &ray, hit.t);
             }
-            if misty {
+            if misty && world.all_hollow(inside) {
                 light *= self.air_filter(source, &ray, hit.t);
             }
             toggle(inside, world.material(&surface).interior);
