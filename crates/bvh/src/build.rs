@@ -12,6 +12,9 @@ const BINS: usize = 16;
 /// Under this depth splits are by halves, so that no input makes a deep tree.
 const MAX_HEURISTIC_DEPTH: usize = 40;
 
+/// No path from the root is longer: below the heuristic's depth halves of at most 2^28 primitives.
+pub(crate) const MAX_DEPTH: usize = MAX_HEURISTIC_DEPTH + 29;
+
 /// Sides beyond this do not fit the single-precision boxes.
 const REACH: f64 = 1e30;
 

@@ -12,8 +12,13 @@ const SLACK: f32 = 1.000_000_5;
 /// Inverse directions are kept finite, so that no product of zero and infinity can arise.
 const MAX_INVERSE: f64 = 1e37;
 
-/// A ray made ready for slab tests. The origin is kept rounded both ways, so that each box can only seem larger.
-pub(crate) struct Slab {
+/// Origins and directions beyond this overflow single precision.
+const FAR: f64 = 1e37;
+
+/// A ray made ready for box tests, good for any number of trees in the same space. The origin is kept rounded both ways,
+/// so that each box can only seem larger.
+#[derive(Clone, Copy, Debug)]
+pub struct Slab {
     /// Origin as used for the sides where the ray enters.
     origin_near: [f32; 3],
     /// Origin as used for the sides where it leaves.
@@ -22,12 +27,17 @@ pub(crate) struct Slab {
     /// Which of a node's `sides` the ray enters by.
     near: [usize; 3],
     far: [usize; 3],
+    /// Rays with an infinite or undefined part touch nothing.
+    pub(crate) finite: bool,
 }
 
 impl Slab {
-    #[inline(always)]
-    pub(crate) fn new(ray: &Ray) -> Self {
+    /// Prepares a ray.
+    #[inline]
+    pub fn new(ray: &Ray) -> Self {
+        let reach = ray.origin.abs().max_element().max(ray.dir.abs().max_element());
         let mut slab = Slab {
+            finite: reach < FAR && !ray.origin.is_nan() && !ray.dir.is_nan(),
             origin_near: [0.0; 3],
             origin_far: [0.0; 3],
             inverse: [0.0; 3],

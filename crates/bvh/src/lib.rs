@@ -17,5 +17,6 @@ mod traverse;
 mod triangles;
 
 pub use build::Built;
+pub use kernel::Slab;
 pub use traverse::Bvh;
 pub use triangles::{TriangleHit, Triangles};

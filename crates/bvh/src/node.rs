@@ -28,6 +28,18 @@ impl Child {
         Child(Self::LEAF | (start as u32) << 3 | (count as u32 - 1))
     }
 
+    /// The child as a number.
+    #[inline(always)]
+    pub(crate) fn word(self) -> u32 {
+        self.0
+    }
+
+    /// From [`Child::word`].
+    #[inline(always)]
+    pub(crate) fn from_word(word: u32) -> Self {
+        Child(word)
+    }
+
     #[inline(always)]
     pub(crate) fn kind(self) -> Kind {
         if self.0 & Self::LEAF == 0 {

@@ -1,7 +1,12 @@
 //! Asking the tree: nearest hit, any hit, all boxes on a ray, all boxes around a point.
+#![allow(unsafe_code)]
+
+use std::mem::MaybeUninit;
+
 use raggio_math::{Ray, Vec3};
 use smallvec::SmallVec;
 
+use crate::build::MAX_DEPTH;
 #[cfg(target_arch = "x86_64")]
 use crate::kernel::Avx2;
 use crate::kernel::{Kernel, Scalar, Slab};
@@ -18,8 +23,53 @@ pub struct Bvh {
     pub(crate) simd: bool,
 }
 
-/// Nodes still to be visited and where the ray enters them. On the heap only for very deep trees.
-type Stack = SmallVec<[(f32, Child); 64]>;
+/// A child that waits: where the ray enters it (a float that is not negative orders like its bits) and its word.
+type Entry = u64;
+
+/// No ray keeps more children waiting: seven on each level of the deepest tree that the builder makes.
+const STACK: usize = 7 * MAX_DEPTH + 8;
+
+/// Children that wait, the nearest on top.
+struct Stack {
+    entries: [MaybeUninit<Entry>; STACK],
+    len: usize,
+}
+
+impl Stack {
+    #[inline(always)]
+    fn new() -> Self {
+        Stack { entries: [MaybeUninit::uninit(); STACK], len: 0 }
+    }
+
+    #[inline(always)]
+    fn pop(&mut self) -> Option<(f32, Child)> {
+        self.len = self.len.checked_sub(1)?;
+        // SAFETY: entries below the old length were written.
+        let entry = unsafe { self.entries.get_unchecked(self.len).assume_init() };
+        Some((f32::from_bits((entry >> 32) as u32), Child::from_word(entry as u32)))
+    }
+
+    /// Puts an entry under those from `base` on that are nearer.
+    #[inline(always)]
+    fn insert(&mut self, base: usize, entry: Entry) {
+        let mut at = self.len;
+        assert!(at < STACK);
+        // SAFETY: `at` and all below it are in the array, and those below the length were written.
+        unsafe {
+            while at > base && self.entries.get_unchecked(at - 1).assume_init() < entry {
+                *self.entries.get_unchecked_mut(at) = *self.entries.get_unchecked(at - 1);
+                at -= 1;
+            }
+            self.entries.get_unchecked_mut(at).write(entry);
+        }
+        self.len += 1;
+    }
+}
+
+#[inline(always)]
+fn entry(near: f32, child: Child) -> Entry {
+    u64::from(near.to_bits()) << 32 | u64::from(child.word())
+}
 
 impl Bvh {
     /// How many primitives are in the tree.
@@ -34,22 +84,34 @@ impl Bvh {
 
     /// Visits the primitives whose boxes the ray touches, the near ones first as far as boxes tell. `visit` is given a
     /// primitive and the distance beyond which nothing interests any more; where it finds something nearer it returns
-    /// the new such distance. `range.0` is taken to be at least 0.
+    /// the new such distance, a negative one to end the search. `range.0` is taken to be at least 0.
     #[inline]
     pub fn closest(&self, ray: &Ray, range: (f64, f64), visit: impl FnMut(u32, f64) -> Option<f64>) {
+        if !self.nodes.is_empty() {
+            self.closest_prepared(&Slab::new(ray), range, visit);
+        }
+    }
+
+    /// [`Bvh::closest`] for a ray that is asked of several trees.
+    #[inline]
+    pub fn closest_prepared(
+        &self,
+        slab: &Slab,
+        range: (f64, f64),
+        visit: impl FnMut(u32, f64) -> Option<f64>,
+    ) {
         #[cfg(target_arch = "x86_64")]
         if self.simd {
             // SAFETY: `simd` says that the processor has AVX2.
-            #[allow(unsafe_code)]
-            return unsafe { self.closest_avx2(ray, range, visit) };
+            return unsafe { self.closest_avx2(slab, range, visit) };
         }
-        self.walk::<Scalar>(ray, range, visit);
+        self.walk::<Scalar>(slab, range, visit);
     }
 
     #[cfg(target_arch = "x86_64")]
     #[target_feature(enable = "avx2")]
-    fn closest_avx2(&self, ray: &Ray, range: (f64, f64), visit: impl FnMut(u32, f64) -> Option<f64>) {
-        self.walk::<Avx2>(ray, range, visit);
+    fn closest_avx2(&self, slab: &Slab, range: (f64, f64), visit: impl FnMut(u32, f64) -> Option<f64>) {
+        self.walk::<Avx2>(slab, range, visit);
     }
 
     /// Visits primitives on the ray until `visit` says that it has found what it sought; returns whether it has.
@@ -105,35 +167,50 @@ impl Bvh {
 
     /// The traversal itself, for any kernel that the processor has.
     #[inline(always)]
-    fn walk<K: Kernel>(&self, ray: &Ray, range: (f64, f64), mut visit: impl FnMut(u32, f64) -> Option<f64>) {
-        if self.nodes.is_empty() {
+    fn walk<K: Kernel>(
+        &self,
+        slab: &Slab,
+        range: (f64, f64),
+        mut visit: impl FnMut(u32, f64) -> Option<f64>,
+    ) {
+        if self.nodes.is_empty() || !slab.finite {
             return;
         }
-        let slab = Slab::new(ray);
-        let t0 = down(range.0.max(0.0));
+        // Adding 0 makes -0 positive, so that entries order like their bits.
+        let t0 = down(range.0.max(0.0)) + 0.0;
         let (mut t_max, mut t1) = (range.1, up(range.1));
         let mut stack = Stack::new();
-        let mut entry = [0.0; WIDTH];
-        stack.push((t0, Child::inner(0)));
-        while let Some((near, child)) = stack.pop() {
-            if near > t1 {
+        let mut near = [0.0; WIDTH];
+        stack.insert(0, entry(t0, Child::inner(0)));
+        while let Some((t, mut child)) = stack.pop() {
+            if t > t1 {
                 continue;
             }
-            match child.kind() {
-                Kind::Leaf(run) => {
-                    for &prim in &self.prims[run] {
-                        if let Some(t) = visit(prim, t_max) {
-                            (t_max, t1) = (t, up(t));
+            loop {
+                match child.kind() {
+                    Kind::Inner(index) => {
+                        let node = &self.nodes[index];
+                        // SAFETY: the caller chose a kernel that the processor has.
+                        let mask = unsafe { K::test(node, slab, t0, t1, &mut near) };
+                        // An only child needs no stack.
+                        if mask & mask.wrapping_sub(1) == 0 && mask != 0 {
+                            child = node.children[mask.trailing_zeros() as usize & 7];
+                            continue;
+                        }
+                        push_sorted(&mut stack, node, mask, &near);
+                    }
+                    Kind::Leaf(run) => {
+                        for &prim in &self.prims[run] {
+                            if let Some(t) = visit(prim, t_max) {
+                                (t_max, t1) = (t, up(t));
+                                if t < 0.0 {
+                                    return;
+                                }
+                            }
                         }
                     }
                 }
-                Kind::Inner(index) => {
-                    let node = &self.nodes[index];
-                    // SAFETY: the caller chose a kernel that the processor has.
-                    #[allow(unsafe_code)]
-                    let mask = unsafe { K::test(node, &slab, t0, t1, &mut entry) };
-                    push_sorted(&mut stack, node, mask, &entry);
-                }
+                break;
             }
         }
     }
@@ -141,17 +218,12 @@ impl Bvh {
 
 /// Pushes the children in `mask` so that the nearest comes off first.
 #[inline(always)]
-fn push_sorted(stack: &mut Stack, node: &Node, mut mask: u32, entry: &[f32; WIDTH]) {
-    let base = stack.len();
+fn push_sorted(stack: &mut Stack, node: &Node, mut mask: u32, near: &[f32; WIDTH]) {
+    let base = stack.len;
     while mask != 0 {
-        let i = mask.trailing_zeros() as usize;
+        let i = mask.trailing_zeros() as usize & 7;
         mask &= mask - 1;
-        let mut at = stack.len();
-        stack.push((entry[i], node.children[i]));
-        while at > base && stack[at - 1].0 < entry[i] {
-            stack.swap(at - 1, at);
-            at -= 1;
-        }
+        stack.insert(base, entry(near[i], node.children[i]));
     }
 }
 
@@ -187,5 +259,29 @@ mod tests {
         bvh.simd = false;
         assert_eq!(fast, visits(&bvh));
         assert!(fast.len() > 300);
+    }
+
+    #[test]
+    fn rays_that_are_not_finite_end_at_once() {
+        let boxes = [Aabb::new(Vec3::ZERO, Vec3::ONE), Aabb::new(Vec3::splat(2.0), Vec3::splat(3.0))];
+        let mut bvh = Bvh::build(&boxes, 1).bvh;
+        for simd in [bvh.simd, false] {
+            bvh.simd = simd;
+            for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e300] {
+                for k in 0..3 {
+                    let mut broken = Vec3::splat(0.5);
+                    broken[k] = bad;
+                    for ray in [Ray::new(broken, Vec3::X), Ray::new(Vec3::splat(0.5), broken)] {
+                        bvh.all(&ray, (0.0, f64::INFINITY), |_| panic!("{ray:?} touches nothing"));
+                    }
+                }
+            }
+            let ray = Ray::new(Vec3::splat(-1.0), Vec3::ONE.normalize());
+            for range in [(f64::NAN, 10.0), (0.0, f64::NAN), (f64::INFINITY, f64::INFINITY)] {
+                let mut count = 0;
+                bvh.all(&ray, range, |_| count += 1);
+                assert!(count <= boxes.len());
+            }
+        }
     }
 }

@@ -51,7 +51,7 @@ pub(crate) enum MessageFormat {
 /// Which scene, and where its files are.
 #[derive(Args, Clone, Debug, Default)]
 pub(crate) struct SceneArgs {
-    /// The scene; `-` reads standard input; without one a scene that is built in.
+    /// The scene, or a model (.obj, .ply, .stl); `-` reads standard input; without one a scene that is built in.
     pub scene: Option<PathBuf>,
     /// Another folder to look for include files, pictures and fonts in.
     #[arg(long, value_name = "FOLDER")]

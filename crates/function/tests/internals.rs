@@ -56,6 +56,23 @@ fn noise_follows_the_scenes_generator() {
 }
 
 #[test]
+fn a_generator_below_one_is_the_first() {
+    let recorded = [
+        (-1.0, 0.678075305, 2.377956088),
+        (-0.5, 0.419031696, 3.332765493),
+        (0.1, 0.419031696, 3.332765493),
+        (2.9, 0.475871267, 1.165038838),
+        (4.0, 0.419031696, 3.332765493),
+    ];
+    for (generator, noise, ridged) in recorded {
+        let found = internal(78).eval(&[0.3, 0.4, 0.5, generator]);
+        assert!((found - noise).abs() < 1e-8, "{generator}: {found}");
+        let found = internal(59).eval(&[0.3, 0.4, 0.5, 0.5, 2.0, 9.0, -0.7, 0.8, generator]);
+        assert!((found - ridged).abs() < 1e-8, "{generator}: {found}");
+    }
+}
+
+#[test]
 fn unknown_numbers_have_no_parameters() {
     assert_eq!(Internal(77).params(), None);
     assert_eq!(Internal(79).params(), None);

@@ -5,7 +5,7 @@ use raggio_math::{Aabb, Affine};
 use raggio_scene::{Csg, Light, Object, ObjectKind, Placed, Shape};
 use rustc_hash::FxHashMap;
 
-use crate::index::Index;
+use crate::index::{Decider, indices};
 use crate::inherit::{Context, OUTERMOST_ONLY, all_shadowless, effective};
 use crate::leaf::{Leaf, Leaves};
 use crate::materials::Materials;
@@ -66,7 +66,7 @@ pub(crate) fn flatten(objects: &[Arc<Object>], keep_all_bounds: bool) -> Result<
     }
     let bounds =
         members.iter().filter(|m| m.surface.is_finite()).fold(Aabb::EMPTY, |all, m| all.union(&m.surface));
-    let world = group(Op::Union, &members, Vec::new(), Vec::new());
+    let world = group(Op::Union, &members, &walk.leaves, Vec::new(), Vec::new());
     let Walk { leaves, groups, materials, lights, parts, .. } = walk;
     Ok(Flat { leaves, groups, world, bounds, materials, lights, parts })
 }
@@ -178,14 +178,14 @@ impl Walk {
     }
 
     fn reserve(&mut self) -> u32 {
-        self.groups.push(group(Op::Union, &[], Vec::new(), Vec::new()));
+        self.groups.push(group(Op::Union, &[], &self.leaves, Vec::new(), Vec::new()));
         self.groups.len() as u32 - 1
     }
 
     fn group(
         &mut self,
         op: Op,
-        own: Vec<Built>,
+        mut own: Vec<Built>,
         skip: u8,
         at: u32,
         object: &Object,
@@ -197,6 +197,7 @@ impl Walk {
             true => self.fences(&object.bounds, outer)?,
             false => (Vec::new(), Aabb::INFINITE),
         };
+        self.tighten(op, &mut own, &clip_box);
         let boxes = combined_boxes(op, &own);
         let mut surface = boxes.0.intersection(&clip_box);
         if !surface.is_finite() {
@@ -204,13 +205,30 @@ impl Walk {
             // things it is all there is.
             surface = surface.intersection(&bound_box);
         }
-        self.groups[at as usize] = group(op, &own, clips, bounds);
+        self.groups[at as usize] = group(op, &own, &self.leaves, clips, bounds);
         Ok(Built {
             member: Member { node: NodeRef::group(at as usize), skip },
             surface,
             inside: boxes.1.intersection(&clip_box),
             outside: if object.clips.is_empty() { boxes.2 } else { Aabb::INFINITE },
         })
+    }
+
+    /// Cuts the boxes of unbounded members to what the group lets count of them.
+    fn tighten(&self, op: Op, own: &mut [Built], clip_box: &Aabb) {
+        let limit = match op {
+            Op::Intersection => own.iter().fold(*clip_box, |limit, m| limit.intersection(&m.inside)),
+            Op::Union | Op::Merge => *clip_box,
+        };
+        for m in own.iter_mut().filter(|m| !m.surface.is_finite()) {
+            if let Some((part, turned)) = self.leaves.bounds_within(m.member.node, &limit) {
+                m.surface = m.surface.intersection(&part);
+                // What is turned inside out reaches on beyond its surface.
+                if !turned {
+                    m.inside = m.inside.intersection(&part);
+                }
+            }
+        }
     }
 
     /// Puts the clips and bounds around a single member.
@@ -306,7 +324,7 @@ fn combined_boxes(op: Op, members: &[Built]) -> (Aabb, Aabb, Aabb) {
     }
 }
 
-fn group(op: Op, built: &[Built], clips: Vec<NodeRef>, bounds: Vec<NodeRef>) -> Group {
+fn group(op: Op, built: &[Built], leaves: &Leaves, clips: Vec<NodeRef>, bounds: Vec<NodeRef>) -> Group {
     let deciding: fn(&Built) -> Aabb = match op {
         Op::Union | Op::Merge => |b| b.inside,
         Op::Intersection => |b| b.outside,
@@ -315,14 +333,22 @@ fn group(op: Op, built: &[Built], clips: Vec<NodeRef>, bounds: Vec<NodeRef>) -> 
     let limit = combined_boxes(op, built).0;
     let surfaces: Vec<Aabb> = built.iter().map(|b| b.surface.intersection(&limit)).collect();
     let decisions: Vec<Aabb> = built.iter().map(deciding).collect();
-    Group {
-        op,
-        members: built.iter().map(|b| b.member).collect(),
-        deciding: (surfaces != decisions).then(|| Index::new(&decisions)),
-        surfaces: Index::new(&surfaces),
-        clips,
-        bounds,
-    }
+    let cost = |m: &Built| leaves.cost(m.member.node);
+    // Costly members have a box of their own even where there are a great many.
+    let cheap = built.len() > 1024 && built.iter().all(|m| cost(m) == 0);
+    let (surfaces, deciders) = indices(&surfaces, &decisions, deciders(built, cost), 1 + usize::from(cheap));
+    Group { op, members: built.iter().map(|b| b.member).collect(), surfaces, deciders, clips, bounds }
+}
+
+/// What boxes tell about each member; those that are cheap to ask first.
+fn deciders(built: &[Built], cost: impl Fn(&Built) -> u32) -> Vec<Decider> {
+    let mut order: Vec<u32> = (0..built.len() as u32).collect();
+    order.sort_by_key(|&i| cost(&built[i as usize]));
+    let known = |member: u32| {
+        let Built { inside, outside, .. } = built[member as usize];
+        Decider { member, inside, outside }
+    };
+    order.into_iter().map(known).collect()
 }
 
 /// Bicubic patches do not obey their own clips (shapes spec, section 1.4).

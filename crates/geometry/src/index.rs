@@ -1,48 +1,175 @@
-//! Members of a group by their boxes: a tree for the bounded ones, a list for the others.
-use raggio_bvh::{Built, Bvh};
-use raggio_math::{Aabb, Ray, Vec3};
+//! Members of a group by their boxes: a short list, or a tree for the bounded ones and a list for the others.
+use std::sync::Arc;
 
-/// Members (by number) with their boxes.
-pub(crate) struct Index {
-    bvh: Bvh,
-    /// Those without bounds; always asked.
-    listed: Vec<u32>,
+use raggio_bvh::{Built, Bvh};
+use raggio_math::{Aabb, Vec3};
+
+use crate::probe::{BoxRay, Probe};
+
+/// Up to so many members are asked for in a row, without a tree.
+pub(crate) const FEW: usize = 8;
+
+/// Boxes are padded by this share, and by this much, for what rounding does to points and distances.
+const PADDING: f64 = 1e-7;
+
+/// Ends a search: nothing can be nearer.
+pub(crate) const ENOUGH: f64 = -1.0;
+
+/// Where the surfaces of members (by number) are.
+pub(crate) enum Index {
+    Few(Vec<(Aabb, u32)>),
+    Many {
+        bvh: Arc<Bvh>,
+        /// Those without bounds; always asked.
+        listed: Vec<u32>,
+    },
+}
+
+/// Where a member is known to contain points, and where not.
+#[derive(Clone, Copy)]
+pub(crate) struct Decider {
+    pub(crate) member: u32,
+    /// Outside this box nothing is inside.
+    pub(crate) inside: Aabb,
+    /// Outside this box everything is inside.
+    pub(crate) outside: Aabb,
+}
+
+/// Which members are to be asked about a point.
+pub(crate) struct Deciders {
+    /// Always asked.
+    listed: Vec<Decider>,
+    /// Asked where their boxes hold the point.
+    tree: Option<Arc<Bvh>>,
+}
+
+/// A box grown by what rounding may do.
+pub(crate) fn padded(b: &Aabb) -> Aabb {
+    let pad = |v: Vec3| v.map(|x| if x.is_finite() { (1.0 + x.abs()) * PADDING } else { 0.0 });
+    Aabb { min: b.min - pad(b.min), max: b.max + pad(b.max) }
+}
+
+fn tree(boxes: &[Aabb], leaf_size: usize) -> (Arc<Bvh>, Vec<u32>) {
+    let Built { bvh, unbounded } = Bvh::build(boxes, leaf_size);
+    (Arc::new(bvh), unbounded)
+}
+
+/// Finds the members of a group: by where their surfaces are, and by where they alone decide about a point
+/// (`decisions`). Deciders come in the order in which they had best be asked.
+pub(crate) fn indices(
+    surfaces: &[Aabb],
+    decisions: &[Aabb],
+    mut deciders: Vec<Decider>,
+    leaf_size: usize,
+) -> (Index, Deciders) {
+    for d in &mut deciders {
+        (d.inside, d.outside) = (padded(&d.inside), padded(&d.outside));
+    }
+    if surfaces.len() <= FEW {
+        let numbered = surfaces.iter().zip(0..).filter(|(b, _)| !b.is_empty());
+        let few = numbered.map(|(b, member)| (padded(b), member)).collect();
+        return (Index::Few(few), Deciders { listed: deciders, tree: None });
+    }
+    let (bvh, listed) = tree(surfaces, leaf_size);
+    let (deciding, always) = match surfaces == decisions {
+        true => (bvh.clone(), listed.clone()),
+        false => tree(decisions, leaf_size),
+    };
+    deciders.retain(|d| always.binary_search(&d.member).is_ok());
+    (Index::Many { bvh, listed }, Deciders { listed: deciders, tree: Some(deciding) })
 }
 
 impl Index {
-    pub(crate) fn new(boxes: &[Aabb]) -> Self {
-        // Members may be costly, so each has a box of its own until there are a great many.
-        let leaf_size = if boxes.len() > 1024 { 2 } else { 1 };
-        let Built { bvh, unbounded } = Bvh::build(boxes, leaf_size);
-        Index { bvh, listed: unbounded }
-    }
-
     /// Visits members on the ray, near ones first as far as boxes tell; see [`Bvh::closest`].
     #[inline]
     pub(crate) fn closest(
         &self,
-        ray: &Ray,
+        probe: &Probe,
         range: (f64, f64),
         mut visit: impl FnMut(u32, f64) -> Option<f64>,
     ) {
         let mut far = range.1;
-        for &member in &self.listed {
-            if let Some(t) = visit(member, far) {
-                far = t;
+        match self {
+            Index::Few(boxes) => {
+                let mut order = [(0.0, 0); FEW];
+                let touched = in_order(boxes, &probe.boxes, range, &mut order);
+                for &(t, member) in touched {
+                    if t > far {
+                        break;
+                    }
+                    far = visit(member, far).unwrap_or(far);
+                }
+            }
+            Index::Many { bvh, listed } => {
+                for &member in listed {
+                    far = visit(member, far).unwrap_or(far);
+                    if far < 0.0 {
+                        return;
+                    }
+                }
+                bvh.closest_prepared(&probe.slab, (range.0, far), visit);
             }
         }
-        self.bvh.closest(ray, (range.0, far), visit);
     }
 
     /// Visits all members on the ray.
-    pub(crate) fn all(&self, ray: &Ray, range: (f64, f64), mut visit: impl FnMut(u32)) {
-        self.listed.iter().for_each(|&member| visit(member));
-        self.bvh.all(ray, range, visit);
+    pub(crate) fn all(&self, probe: &Probe, range: (f64, f64), mut visit: impl FnMut(u32)) {
+        match self {
+            Index::Few(boxes) => {
+                let touched = |b: &Aabb| probe.boxes.entry(b, range).is_some();
+                boxes.iter().filter(|(b, _)| touched(b)).for_each(|&(_, member)| visit(member));
+            }
+            Index::Many { bvh, listed } => {
+                listed.iter().for_each(|&member| visit(member));
+                bvh.closest_prepared(&probe.slab, range, |member, _| {
+                    visit(member);
+                    None
+                });
+            }
+        }
     }
+}
 
-    /// Visits members around the point until `visit` says yes; returns whether it has.
-    pub(crate) fn any_around(&self, p: Vec3, mut visit: impl FnMut(u32) -> bool) -> bool {
-        self.listed.iter().any(|&member| visit(member)) || self.bvh.containing(p, visit)
+/// The boxes that the ray touches, in the order in which it does, each with where it does and its number.
+#[inline]
+pub(crate) fn in_order<'a>(
+    boxes: &[(Aabb, u32)],
+    ray: &BoxRay,
+    range: (f64, f64),
+    order: &'a mut [(f64, u32); FEW],
+) -> &'a [(f64, u32)] {
+    let mut count = 0;
+    for (b, member) in boxes.iter().take(FEW) {
+        if let Some(t) = ray.entry(b, range) {
+            let mut at = count;
+            while at > 0 && order[at - 1].0 > t {
+                order[at] = order[at - 1];
+                at -= 1;
+            }
+            order[at] = (t, *member);
+            count += 1;
+        }
+    }
+    &order[..count]
+}
+
+impl Deciders {
+    /// Visits members that may decide about the point until `visit` says yes; returns whether it has. `visit` is told
+    /// the member and, where boxes already tell it, whether the member contains the point.
+    #[inline]
+    pub(crate) fn any(&self, p: Vec3, mut visit: impl FnMut(u32, Option<bool>) -> bool) -> bool {
+        self.listed.iter().any(|d| visit(d.member, d.contains(p)))
+            || self.tree.as_ref().is_some_and(|tree| tree.containing(p, |member| visit(member, None)))
+    }
+}
+
+impl Decider {
+    #[inline]
+    fn contains(&self, p: Vec3) -> Option<bool> {
+        if !self.inside.contains(p) {
+            return Some(false);
+        }
+        (!self.outside.contains(p)).then_some(true)
     }
 }
 
@@ -59,8 +186,8 @@ pub(crate) fn transformed(b: &Aabb, to_from_here: &raggio_math::Affine) -> Aabb 
         (b.min.z, b.max.z),
     ]) {
         for k in 0..3 {
-            // Zero times infinity counts as nothing.
-            if column[k] != 0.0 {
+            // Zero times infinity counts as nothing, and so does what rounding has left of a zero.
+            if column[k].abs() > 1e-15 * column.length() {
                 let (p, q) = (column[k] * lo, column[k] * hi);
                 min[k] += p.min(q);
                 max[k] += p.max(q);

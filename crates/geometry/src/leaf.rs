@@ -1,7 +1,9 @@
 //! Leaves: shapes at their places, asked in world coordinates.
-use raggio_math::{Affine, Ray, Vec2, Vec3, transform};
+use raggio_math::{Aabb, Affine, Ray, Vec2, Vec3, transform};
 
-use crate::shapes::{ShapeKind, Sphere};
+use crate::index::transformed;
+use crate::shapes::{Few, ShapeKind, Sphere};
+use crate::tree::{Node, NodeRef};
 use crate::{Hit, LocalHit, MaterialId, Surface};
 
 /// A shape at its place.
@@ -101,6 +103,50 @@ impl Leaves {
         }
     }
 
+    /// Collects every hit of one leaf in its shape's own coordinates, near ones first, where the shape has but a few;
+    /// `None` where it may have more. Returns what to divide distances by.
+    #[inline]
+    fn few(&self, leaf: &Leaf, ray: &Ray, range: (f64, f64), out: &mut Few) -> Option<f64> {
+        let (found, stretch) = match leaf.prim {
+            Prim::Sphere(s) => {
+                self.spheres[s as usize].sphere.few(ray, range, out);
+                (true, 1.0)
+            }
+            Prim::World(s) => (self.shapes[s as usize].few(ray, range, out), 1.0),
+            Prim::Placed { shape, place } => {
+                let shape = &self.shapes[shape as usize];
+                if !shape.has_few() {
+                    return None;
+                }
+                let local = LocalRay::new(ray, &self.places[place as usize]);
+                (shape.few(&local.ray, local.range(range), out), local.stretch)
+            }
+        };
+        out.sort();
+        found.then_some(stretch)
+    }
+
+    /// The nearest hit of one leaf that `counts` says yes to. Only for shapes with few hits: `None` for others.
+    #[inline]
+    pub(crate) fn closest_of_few(
+        &self,
+        index: u32,
+        ray: &Ray,
+        range: (f64, f64),
+        counts: impl Fn(&Hit) -> bool,
+    ) -> Option<Option<Hit>> {
+        let leaf = &self.leaves[index as usize];
+        let mut few = Few::default();
+        let stretch = self.few(leaf, ray, range, &mut few)?;
+        for &local in few.as_slice() {
+            let hit = Hit { t: local.t / stretch, leaf: index, inverted: leaf.inverted, local };
+            if hit.t > range.0 && hit.t < range.1 && counts(&hit) {
+                return Some(Some(hit));
+            }
+        }
+        Some(None)
+    }
+
     /// Appends every hit of one leaf. `buffer` is room for the shape's answers, left as it was found.
     pub(crate) fn hits(
         &self,
@@ -127,10 +173,35 @@ impl Leaves {
                 local.stretch
             }
         };
-        let inverted = leaf.inverted;
-        let world =
-            buffer.drain(start..).map(|local| Hit { t: local.t / stretch, leaf: index, inverted, local });
-        out.extend(world.filter(|hit| hit.t > range.0 && hit.t < range.1));
+        for &local in &buffer[start..] {
+            let t = local.t / stretch;
+            if t > range.0 && t < range.1 {
+                out.push(Hit { t, leaf: index, inverted: leaf.inverted, local });
+            }
+        }
+        buffer.truncate(start);
+    }
+
+    /// A box around the part of a node's surface that lies within a box, and whether the solid is turned inside out;
+    /// `None` where nothing better than its own box is known.
+    pub(crate) fn bounds_within(&self, node: NodeRef, within: &Aabb) -> Option<(Aabb, bool)> {
+        let Node::Leaf(leaf) = node.node() else { return None };
+        let ShapeKind::Quadric(quadric) = self.shape(leaf)? else { return None };
+        let turned = quadric.is_turned() || self.leaves[leaf as usize].inverted;
+        let Prim::Placed { place, .. } = self.leaves[leaf as usize].prim else {
+            return Some((quadric.bounds_within(within), turned));
+        };
+        let object_from_world = &self.places[place as usize];
+        let part = quadric.bounds_within(&transformed(within, object_from_world));
+        Some((transformed(&part, &object_from_world.inverse()), turned))
+    }
+
+    /// Roughly what questions to a node cost, for their order.
+    pub(crate) fn cost(&self, node: NodeRef) -> u32 {
+        match node.node() {
+            Node::Group(_) => 8,
+            Node::Leaf(leaf) => self.shape(leaf).map_or(0, ShapeKind::cost),
+        }
     }
 
     /// Is the point in the leaf, its inversion counted?

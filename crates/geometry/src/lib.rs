@@ -8,6 +8,7 @@ mod index;
 mod inherit;
 mod leaf;
 mod materials;
+mod probe;
 mod shape_pool;
 mod shapes;
 mod surface;
@@ -17,6 +18,6 @@ mod world;
 
 pub use surface::{LocalHit, Surface};
 pub use world::{
-    BuildError, Geometry, Hit, Interaction, InteriorId, InteriorInfo, LightGroupId, Material, MaterialId,
-    PlacedLight, PlacedTexture, RayClass, TextureId, TextureUse,
+    BlockerGuess, BuildError, Geometry, Hit, Interaction, InteriorId, InteriorInfo, LightGroupId, Material,
+    MaterialId, PlacedLight, PlacedTexture, RayClass, TextureId, TextureUse,
 };

@@ -16,6 +16,7 @@ pub struct LocalHit {
 
 impl LocalHit {
     /// A hit of a shape that needs no words of its own.
+    #[inline]
     pub fn at(t: f64) -> Self {
         LocalHit { t, ..LocalHit::default() }
     }

@@ -3,10 +3,11 @@
 //! Unions, merges and intersections are all that is left of the operations: a difference is an intersection with
 //! inverted members, and inversion has been carried down to the leaves. A surface point counts where the other members
 //! have it so (shapes spec, section 8), so a hit is judged on its own and queries may be cut to any range.
-use raggio_math::{Ray, Vec3};
+use raggio_math::Vec3;
 
-use crate::index::Index;
+use crate::index::{Deciders, ENOUGH, Index};
 use crate::leaf::Leaves;
+use crate::probe::Probe;
 use crate::{Hit, LocalHit};
 
 /// A node: a leaf or a group.
@@ -61,9 +62,8 @@ pub(crate) struct Group {
     pub(crate) members: Vec<Member>,
     /// Where the members' surfaces are.
     pub(crate) surfaces: Index,
-    /// Where one member alone decides about inside: where it may contain a point (union, merge), or may not
-    /// (intersection). `None`: the same boxes as `surfaces`.
-    pub(crate) deciding: Option<Index>,
+    /// Which members may decide alone about inside: by containing a point (union, merge), or not (intersection).
+    pub(crate) deciders: Deciders,
     /// Points outside any of them do not exist.
     pub(crate) clips: Vec<NodeRef>,
     /// Rays that miss any of them miss the group.
@@ -86,49 +86,59 @@ pub(crate) struct Tree {
 /// No member of a group.
 const NOBODY: u32 = u32::MAX;
 
+impl Group {
+    /// Does every hit of a member count?
+    fn all_count(&self) -> bool {
+        self.op == Op::Union && self.clips.is_empty()
+    }
+}
+
 impl Tree {
-    /// The nearest hit of a node, for rays of the class whose bit is `class`.
+    /// The nearest hit of a node, for rays of the class whose bit is `class`; or any hit that `stops` says yes to.
     #[inline]
-    pub(crate) fn closest(
+    pub(crate) fn closest<F: Fn(&Hit) -> bool>(
         &self,
         node: NodeRef,
-        ray: &Ray,
+        probe: &Probe,
         range: (f64, f64),
         class: u8,
         scratch: &mut Scratch,
+        stops: &F,
     ) -> Option<Hit> {
         match node.node() {
-            Node::Leaf(leaf) => self.leaves.closest(leaf, ray, range),
+            Node::Leaf(leaf) => self.leaves.closest(leaf, &probe.ray, range),
             Node::Group(group) => {
-                self.group_closest(&self.groups[group as usize], ray, range, class, scratch)
+                self.group_closest(&self.groups[group as usize], probe, range, class, scratch, stops)
             }
         }
     }
 
-    pub(crate) fn group_closest(
+    pub(crate) fn group_closest<F: Fn(&Hit) -> bool>(
         &self,
         group: &Group,
-        ray: &Ray,
+        probe: &Probe,
         range: (f64, f64),
         class: u8,
         scratch: &mut Scratch,
+        stops: &F,
     ) -> Option<Hit> {
-        if !self.within_bounds(group, ray, scratch) {
+        if !self.within_bounds(group, probe, scratch) {
             return None;
         }
-        let all_count = group.op == Op::Union && group.clips.is_empty();
+        let all_count = group.all_count();
         let mut best: Option<Hit> = None;
-        group.surfaces.closest(ray, range, |index, far| {
+        group.surfaces.closest(probe, range, |index, far| {
             let member = &group.members[index as usize];
             if member.skip & class != 0 {
                 return None;
             }
+            let range = (range.0, far);
             let hit = match all_count {
-                true => self.closest(member.node, ray, (range.0, far), class, scratch)?,
-                false => self.closest_that_counts(group, index, ray, (range.0, far), class, scratch)?,
+                true => self.closest(member.node, probe, range, class, scratch, stops)?,
+                false => self.closest_that_counts(group, index, probe, range, class, scratch)?,
             };
             best = Some(hit);
-            Some(hit.t)
+            Some(if stops(&hit) { ENOUGH } else { hit.t })
         });
         best
     }
@@ -138,41 +148,52 @@ impl Tree {
         &self,
         group: &Group,
         member: u32,
-        ray: &Ray,
+        probe: &Probe,
         range: (f64, f64),
         class: u8,
         scratch: &mut Scratch,
     ) -> Option<Hit> {
+        let node = group.members[member as usize].node;
+        let counts = |hit: &Hit| self.counts(group, member, probe.ray.at(hit.t));
+        if let Node::Leaf(leaf) = node.node()
+            && let Some(found) = self.leaves.closest_of_few(leaf, &probe.ray, range, counts)
+        {
+            return found;
+        }
         let start = scratch.hits.len();
-        self.hits(group.members[member as usize].node, ray, range, class, scratch);
+        self.hits(node, probe, range, class, scratch);
         let found = &mut scratch.hits[start..];
         found.sort_unstable_by(|a, b| a.t.total_cmp(&b.t));
-        let best = found.iter().find(|hit| self.counts(group, member, ray.at(hit.t))).copied();
+        let best = found.iter().find(|hit| counts(hit)).copied();
         scratch.hits.truncate(start);
         best
     }
 
     /// Appends every hit of a node, in any order.
-    pub(crate) fn hits(&self, node: NodeRef, ray: &Ray, range: (f64, f64), class: u8, scratch: &mut Scratch) {
+    fn hits(&self, node: NodeRef, probe: &Probe, range: (f64, f64), class: u8, scratch: &mut Scratch) {
         let group = match node.node() {
             Node::Leaf(leaf) => {
-                return self.leaves.hits(leaf, ray, range, &mut scratch.local, &mut scratch.hits);
+                return self.leaves.hits(leaf, &probe.ray, range, &mut scratch.local, &mut scratch.hits);
             }
             Node::Group(group) => &self.groups[group as usize],
         };
-        if !self.within_bounds(group, ray, scratch) {
+        if !self.within_bounds(group, probe, scratch) {
             return;
         }
-        group.surfaces.all(ray, range, |index| {
+        let all_count = group.all_count();
+        group.surfaces.all(probe, range, |index| {
             let member = &group.members[index as usize];
             if member.skip & class != 0 {
                 return;
             }
             let start = scratch.hits.len();
-            self.hits(member.node, ray, range, class, scratch);
+            self.hits(member.node, probe, range, class, scratch);
+            if all_count {
+                return;
+            }
             let mut kept = start;
             for i in start..scratch.hits.len() {
-                if self.counts(group, index, ray.at(scratch.hits[i].t)) {
+                if self.counts(group, index, probe.ray.at(scratch.hits[i].t)) {
                     scratch.hits.swap(kept, i);
                     kept += 1;
                 }
@@ -208,11 +229,13 @@ impl Tree {
     }
 
     fn any_contains(&self, group: &Group, p: Vec3, except: u32) -> bool {
-        group.deciding().any_around(p, |m| m != except && self.inside(group.members[m as usize].node, p))
+        let inside = |m: u32| self.inside(group.members[m as usize].node, p);
+        group.deciders.any(p, |m, known| m != except && known.unwrap_or_else(|| inside(m)))
     }
 
     fn any_lacks(&self, group: &Group, p: Vec3, except: u32) -> bool {
-        group.deciding().any_around(p, |m| m != except && !self.inside(group.members[m as usize].node, p))
+        let inside = |m: u32| self.inside(group.members[m as usize].node, p);
+        group.deciders.any(p, |m, known| m != except && !known.unwrap_or_else(|| inside(m)))
     }
 
     pub(crate) fn within_clips(&self, group: &Group, p: Vec3) -> bool {
@@ -220,16 +243,10 @@ impl Tree {
     }
 
     /// A ray is shot at the group only if it starts inside every bound or hits it (shapes spec, section 1.4).
-    fn within_bounds(&self, group: &Group, ray: &Ray, scratch: &mut Scratch) -> bool {
+    fn within_bounds(&self, group: &Group, probe: &Probe, scratch: &mut Scratch) -> bool {
         group.bounds.iter().all(|&bound| {
-            self.inside(bound, ray.origin)
-                || self.closest(bound, ray, (0.0, f64::INFINITY), 0, scratch).is_some()
+            self.inside(bound, probe.ray.origin)
+                || self.closest(bound, probe, (0.0, f64::INFINITY), 0, scratch, &|_| true).is_some()
         })
-    }
-}
-
-impl Group {
-    pub(crate) fn deciding(&self) -> &Index {
-        self.deciding.as_ref().unwrap_or(&self.surfaces)
     }
 }

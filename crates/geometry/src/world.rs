@@ -7,6 +7,8 @@ use raggio_scene::{Interior, Light, Object, PhotonFlags, Placed, Scene, Texture}
 use smallvec::SmallVec;
 
 use crate::flatten::{Flat, flatten};
+use crate::index::ENOUGH;
+use crate::probe::Probe;
 use crate::texturing::{Parts, Texturing};
 use crate::tree::{Group, Node, NodeRef, Scratch, Tree};
 
@@ -133,6 +135,12 @@ pub struct TextureUse {
     pub weight: f32,
 }
 
+/// What stopped the last shadow ray: see [`Geometry::blocker`]. Only speed depends on it.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct BlockerGuess {
+    member: Option<u32>,
+}
+
 /// Everything about the winner's surface.
 #[derive(Clone, Debug)]
 pub struct Interaction {
@@ -217,33 +225,47 @@ impl Geometry {
     pub fn closest(&self, ray: &Ray, range: (f64, f64), class: RayClass) -> Option<Hit> {
         let range = (range.0.max(MIN_HIT), range.1.min(MAX_DISTANCE));
         let mut scratch = SCRATCH.take();
-        let hit = self.tree.group_closest(&self.world, ray, range, class.bit(), &mut scratch);
+        let hit =
+            self.tree
+                .group_closest(&self.world, &Probe::new(ray), range, class.bit(), &mut scratch, &|_| false);
         SCRATCH.set(scratch);
         hit
     }
 
     /// Like [`Geometry::closest`], but any hit that `stops` says yes to ends the search: the answer is the nearest hit,
-    /// or one that stops. For shadow rays.
+    /// or one that stops. For shadow rays. `guess` remembers what stopped the last ray that was asked with it and is
+    /// tried first; keep one for each light.
     pub fn blocker(
         &self,
         ray: &Ray,
         range: (f64, f64),
         class: RayClass,
+        guess: &mut BlockerGuess,
         stops: impl Fn(&Hit) -> bool,
     ) -> Option<Hit> {
         let range = (range.0.max(MIN_HIT), range.1.min(MAX_DISTANCE));
+        let probe = Probe::new(ray);
         let mut scratch = SCRATCH.take();
         let mut best: Option<Hit> = None;
-        self.world.surfaces.closest(ray, range, |index, far| {
+        let tried = guess.member.filter(|&m| (m as usize) < self.world.members.len());
+        let mut ask = |index: u32, far: f64| {
             let member = &self.world.members[index as usize];
-            if member.skip & class.bit() != 0 || far <= range.0 {
+            if member.skip & class.bit() != 0 {
                 return None;
             }
-            let hit = self.tree.closest(member.node, ray, (range.0, far), class.bit(), &mut scratch)?;
+            let hit =
+                self.tree.closest(member.node, &probe, (range.0, far), class.bit(), &mut scratch, &stops)?;
             best = Some(hit);
-            // Nothing can be nearer than the start of the range, so that the search ends.
-            Some(if stops(&hit) { range.0 } else { hit.t })
-        });
+            if !stops(&hit) {
+                return Some(hit.t);
+            }
+            guess.member = Some(index);
+            Some(ENOUGH)
+        };
+        let far = tried.and_then(|member| ask(member, range.1)).unwrap_or(range.1);
+        if far >= 0.0 {
+            self.world.surfaces.closest(&probe, (range.0, far), ask);
+        }
         SCRATCH.set(scratch);
         best
     }
@@ -285,8 +307,8 @@ impl Geometry {
     /// The interiors of all objects that contain the point, in the order of the scene (the start of a ray's list).
     pub fn interiors_at(&self, p: Vec3) -> SmallVec<[InteriorId; 8]> {
         let mut around: SmallVec<[u32; 8]> = SmallVec::new();
-        self.world.deciding().any_around(p, |m| {
-            if self.tree.inside(self.world.members[m as usize].node, p) {
+        self.world.deciders.any(p, |m, known| {
+            if known.unwrap_or_else(|| self.tree.inside(self.world.members[m as usize].node, p)) {
                 around.push(m);
             }
             false

@@ -47,6 +47,7 @@ impl Aabb {
     }
 
     /// Is the point inside or on the border?
+    #[inline]
     pub fn contains(&self, p: Vec3) -> bool {
         p.cmpge(self.min).all() && p.cmple(self.max).all()
     }

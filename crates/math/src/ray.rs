@@ -13,6 +13,7 @@ pub struct Ray {
 
 impl Ray {
     /// A ray from `origin` along `dir`.
+    #[inline]
     pub fn new(origin: Vec3, dir: Vec3) -> Self {
         Ray { origin, dir }
     }

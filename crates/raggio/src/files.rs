@@ -3,6 +3,9 @@ use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
+use raggio_image::Curve;
+use raggio_import::{Format, ImportError, Surroundings};
+use raggio_scene::Mesh;
 use raggio_sdl::Files;
 
 use crate::embedded;
@@ -42,6 +45,25 @@ impl DiskFiles {
         DiskFiles { folders, write_base: PathBuf::new() }
     }
 
+    /// Reads a model whose bytes have been found; files that it names lie beside it, or where all files are.
+    pub(crate) fn model(
+        &self,
+        found: &str,
+        bytes: &[u8],
+        working: Option<Curve>,
+    ) -> Result<Mesh, ImportError> {
+        let Some(format) = Format::from_name(found) else {
+            let what = "its ending is no kind of model; .obj, .ply and .stl are read";
+            return Err(ImportError::Whole(what.to_owned()));
+        };
+        let folder = Path::new(found).parent();
+        let find = |name: &str| {
+            let beside = folder.and_then(|folder| fs::read(folder.join(name)).ok());
+            beside.or_else(|| self.find(&[name.to_owned()]).map(|(_, bytes)| bytes))
+        };
+        raggio_import::read(format, bytes, &Surroundings { find: &find, working })
+    }
+
     fn exact(&self, name: &str) -> Option<(String, Vec<u8>)> {
         for folder in &self.folders {
             let path = folder.join(name);
@@ -75,6 +97,11 @@ impl Files for DiskFiles {
                 .map(|name| mended(name))
                 .find_map(|name| self.exact(&name).or_else(|| self.ignoring_case(&name)))
         })
+    }
+
+    fn mesh(&self, name: &str, working: Option<Curve>) -> Option<Result<Mesh, String>> {
+        let (found, bytes) = self.find(&[name.to_owned()])?;
+        Some(self.model(&found, &bytes, working).map_err(|fault| fault.to_string()))
     }
 
     fn write(&self, name: &str, bytes: &[u8], append: bool) -> io::Result<()> {

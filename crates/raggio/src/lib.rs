@@ -16,6 +16,7 @@ mod embedded;
 mod engine;
 mod files;
 mod load;
+mod model;
 mod output;
 
 pub use embedded::DEFAULT_SCENE;

@@ -4,16 +4,18 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 use raggio_diag::{Diagnostic, Sources};
+use raggio_import::Format;
 use raggio_render::World;
 use raggio_scene::Scene;
 use raggio_sdl::ParseOptions;
 
 use crate::engine::LiveEngine;
 use crate::files::DiskFiles;
+use crate::model;
 
 /// Which scene, and what it may ask about its surroundings.
 pub struct SceneOptions {
-    /// The scene's file; also names the folder where its files are looked for.
+    /// The scene's file, or a model (`.obj`, `.ply`, `.stl`) to show; also names the folder where its files are looked for.
     pub path: Option<PathBuf>,
     /// The text, where it does not come from `path`, and the name to call it by.
     pub text: Option<(String, Vec<u8>)>,
@@ -94,6 +96,11 @@ pub fn load_with(
     cancel: &Arc<AtomicBool>,
 ) -> Result<Loaded, Failure> {
     let mut sources = Sources::default();
+    if let (Some(path), None) = (&options.path, &options.text)
+        && Format::from_name(&path.to_string_lossy()).is_some()
+    {
+        return model::load(path, options);
+    }
     let (name, text) = match source_text(options) {
         Ok(found) => found,
         Err(diagnostic) => return Err(Failure { diagnostics: vec![*diagnostic], sources }),
@@ -115,12 +122,13 @@ fn source_text(options: &SceneOptions) -> Result<(String, Vec<u8>), Box<Diagnost
         return Ok(("default.pov".to_owned(), crate::DEFAULT_SCENE.as_bytes().to_vec()));
     };
     let name = path.display().to_string();
-    match std::fs::read(path) {
-        Ok(text) => Ok((name, text)),
-        Err(error) => {
-            Err(Box::new(Diagnostic::error("missing-scene", format!("cannot read {name}: {error}"), None)))
-        }
-    }
+    read(path).map(|text| (name, text))
+}
+
+/// The bytes of the file that was asked for.
+pub(crate) fn read(path: &Path) -> Result<Vec<u8>, Box<Diagnostic>> {
+    let missing = |error| format!("cannot read {}: {error}", path.display());
+    std::fs::read(path).map_err(|error| Box::new(Diagnostic::error("missing-scene", missing(error), None)))
 }
 
 impl Loaded {

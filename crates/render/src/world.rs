@@ -95,7 +95,8 @@ impl World {
         let lights = geometry
             .lights
             .iter()
-            .map(|placed| LightSource::build(&placed.light))
+            .enumerate()
+            .map(|(i, placed)| LightSource::build(i, &placed.light))
             .collect::<Result<Vec<_>, _>>()?;
         let air = MediaList::new(&scene.atmosphere.media, &Affine::IDENTITY, rules.noise);
         let any_media = !air.is_empty() || interiors.iter().any(|i| !i.media.is_empty());

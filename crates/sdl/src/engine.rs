@@ -3,7 +3,7 @@ use std::sync::Arc;
 
 use raggio_function::External;
 use raggio_math::{Aabb, Vec3};
-use raggio_scene::{Object, Pattern, Pigment, Settings};
+use raggio_scene::{Curve, Mesh, Object, Pattern, Pigment, Settings};
 
 /// Questions that a running scene puts to the engine. Answers must not depend on anything but the arguments.
 pub trait Engine: Sync {
@@ -24,6 +24,11 @@ pub trait Files: Sync {
     /// The bytes of a file, looked up as given and then in the library folders and the embedded library; with the name
     /// under which it was found. `names` are tried in order, each in every place.
     fn find(&self, names: &[String]) -> Option<(String, Vec<u8>)>;
+    /// The triangles of a model file (`mesh { file "..." }`), or what is wrong with it; `None` where there is no such
+    /// file. Colours of its pictures are converted to the working space; `None` leaves them alone.
+    fn mesh(&self, _name: &str, _working: Option<Curve>) -> Option<Result<Mesh, String>> {
+        None
+    }
     /// Writes (or appends to) a file for `#fopen ... write|append`.
     fn write(&self, name: &str, bytes: &[u8], append: bool) -> std::io::Result<()>;
 }

@@ -94,6 +94,16 @@ fn names_follow_dynamic_scope() {
 }
 
 #[test]
+fn a_missing_semicolon_is_shown_where_it_is_missing() {
+    for text in ["\n\n#declare B = 2;", "\n#while (A < 3) #end", "\n#if (A) #end", "\n#debug \"\""] {
+        let ran = run(&format!("\n#declare A = 1{text}"));
+        assert_eq!((ran.error(), ran.place()), ("missing-semicolon", (2, 10)), "{text}");
+    }
+    fails("#declare A = A;", "unknown-identifier");
+    fails("#declare A = 1 #if (Other) #end", "unknown-identifier");
+}
+
+#[test]
 fn old_declarations_need_no_semicolon() {
     says("#version 3.1; #declare A = 1\n#declare B = A+1\nSay(B)", "2");
     says(
@@ -276,6 +286,11 @@ fn versions_and_gamma() {
     assert_eq!((old.version.language, old.version.effective, old.noise_generator), (350, 310, 1));
     assert!(run("#version 3.1;").warned("old-version"));
     assert!(run("#version 3.7").warned("missing-semicolon"));
+    let patch = run("#version 3.5; #version unofficial megapov 0.7;");
+    assert!(patch.warned("unofficial-version"));
+    assert_eq!(patch.scene.expect("a scene").scene.settings.version.language, 350);
+    assert_eq!(settings("#version unofficial 3.6;").version.language, 360);
+    fails("#version foo 3.5;", "unknown-identifier");
     let options = ParseOptions { version: Some(350), ..Default::default() };
     let outside =
         run_with(b"", &Memory::default(), &options, &Arc::default()).scene.expect("a scene").scene.settings;

@@ -6,9 +6,9 @@ use super::Args;
 /// Octaves of the fractals are bounded, so that a wild number cannot stop the picture.
 const MOST_OCTAVES: f64 = 1000.0;
 
-/// The noise that parameter number `parameter` names.
+/// The noise that parameter number `parameter` names; 0, and with it every fraction below 1, is the first generator.
 fn generator(a: &Args, parameter: usize) -> impl Fn(Vec3) -> f64 + use<> {
-    let g = (a.p[parameter] as i64 & 3) as u8;
+    let g = (a.p[parameter] as i64 & 3).max(1) as u8;
     move |p| raggio_math::noise::noise(g, p)
 }
 

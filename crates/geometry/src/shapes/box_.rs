@@ -1,7 +1,7 @@
 //! The box.
 use raggio_math::{Aabb, Ray, Vec2, Vec3};
 
-use super::beyond;
+use super::{Few, beyond};
 use crate::{LocalHit, Surface};
 
 /// The least distance a box reports.
@@ -73,6 +73,16 @@ impl Cuboid {
             LocalHit { part: exit_face, ..LocalHit::at(exit.t) },
         ])
     }
+
+    /// Entry and exit, as far as they are in the range.
+    #[inline]
+    pub(crate) fn few(&self, ray: &Ray, range: (f64, f64), out: &mut Few) {
+        let range = beyond(range, LEAST);
+        if let Some([entry, exit]) = self.ends(ray) {
+            out.push(entry, range);
+            out.push(exit, range);
+        }
+    }
 }
 
 impl Surface for Cuboid {
@@ -81,10 +91,9 @@ impl Surface for Cuboid {
     }
 
     fn hits(&self, ray: &Ray, range: (f64, f64), out: &mut Vec<LocalHit>) {
-        let (lo, hi) = beyond(range, LEAST);
-        if let Some(ends) = self.ends(ray) {
-            out.extend(ends.into_iter().filter(|h| h.t > lo && h.t < hi));
-        }
+        let mut few = Few::default();
+        self.few(ray, range, &mut few);
+        out.extend_from_slice(few.as_slice());
     }
 
     #[inline]

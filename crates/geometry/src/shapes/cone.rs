@@ -1,7 +1,7 @@
 //! The cone, and the cylinder as the cone of equal radii.
 use raggio_math::{Aabb, EPS, Ray, Vec3};
 
-use super::beyond;
+use super::{Few, beyond};
 use crate::{LocalHit, Surface};
 
 /// The least distance a cone reports.
@@ -25,9 +25,6 @@ pub(crate) struct Cone {
     slope: f64,
     open: bool,
 }
-
-/// At most this many hits: a double cone's four.
-type Hits = smallvec::SmallVec<[LocalHit; 4]>;
 
 impl Cone {
     pub(crate) fn new(base: Vec3, base_radius: f64, cap: Vec3, cap_radius: f64, open: bool) -> Self {
@@ -56,36 +53,34 @@ impl Cone {
         (h, v - self.axis * h)
     }
 
-    /// All hits within the range.
+    /// All hits within the range; at most a double cone's four.
     #[inline]
-    fn all(&self, ray: &Ray, range: (f64, f64)) -> Hits {
-        let mut out = Hits::new();
+    pub(crate) fn few(&self, ray: &Ray, range: (f64, f64), out: &mut Few) {
+        let range = beyond(range, LEAST);
         if self.widest() == 0.0 {
-            return out;
+            return;
         }
         // Work from the point of the ray nearest to the middle: far origins lose no digits.
         let shift = (self.base + self.axis * (0.5 * self.length) - ray.origin).dot(ray.dir);
+        let mut push = |t: f64, part: u32| out.push(LocalHit { part, ..LocalHit::at(t + shift) }, range);
         let (oh, offset) = self.split(ray.at(shift) - self.base);
         let (dh, across) = self.split(ray.dir);
-        self.side(oh, offset, dh, across, &mut out);
+        self.side(oh, offset, dh, across, &mut push);
         if !self.open && dh.abs() > EPS {
             for (height, radius, part) in [(0.0, self.base_radius, BASE), (self.length, self.cap_radius, CAP)]
             {
                 let t = (height - oh) / dh;
                 let there = (offset + across * t).length_squared() <= radius * radius;
                 if there {
-                    out.push(LocalHit { part, ..LocalHit::at(t) });
+                    push(t, part);
                 }
             }
         }
-        out.iter_mut().for_each(|hit| hit.t += shift);
-        out.retain(|hit| hit.t > range.0 && hit.t < range.1);
-        out
     }
 
     /// Hits of the side: where the distance from the axis is the radius at that height.
     #[inline]
-    fn side(&self, oh: f64, offset: Vec3, dh: f64, across: Vec3, out: &mut Hits) {
+    fn side(&self, oh: f64, offset: Vec3, dh: f64, across: Vec3, out: &mut impl FnMut(f64, u32)) {
         let (r, grow) = (self.base_radius + self.slope * oh, self.slope * dh);
         let a = across.length_squared() - grow * grow;
         let b = offset.dot(across) - r * grow;
@@ -93,7 +88,7 @@ impl Cone {
         let mut push = |t: f64| {
             let h = oh + t * dh;
             if h >= 0.0 && h <= self.length {
-                out.push(LocalHit { part: SIDE, ..LocalHit::at(t) });
+                out(t, SIDE);
             }
         };
         if a.abs() < EPS * EPS {
@@ -125,12 +120,16 @@ impl Surface for Cone {
     }
 
     fn hits(&self, ray: &Ray, range: (f64, f64), out: &mut Vec<LocalHit>) {
-        out.extend(self.all(ray, beyond(range, LEAST)));
+        let mut few = Few::default();
+        self.few(ray, range, &mut few);
+        out.extend_from_slice(few.as_slice());
     }
 
     #[inline]
     fn closest(&self, ray: &Ray, range: (f64, f64)) -> Option<LocalHit> {
-        self.all(ray, beyond(range, LEAST)).into_iter().min_by(|a, b| a.t.total_cmp(&b.t))
+        let mut few = Few::default();
+        self.few(ray, range, &mut few);
+        few.as_slice().iter().copied().min_by(|a, b| a.t.total_cmp(&b.t))
     }
 
     /// A hair more than the closed solid, a hair less than the open one.

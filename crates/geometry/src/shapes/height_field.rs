@@ -38,25 +38,46 @@ struct Level {
     spans: Vec<(u16, u16)>,
 }
 
-/// A ray in sample units, and a stretch of it.
-#[derive(Clone, Copy)]
-struct Stretch {
+/// A ray in sample units.
+struct Walk {
     ray: Ray,
     /// One over each part of the direction.
     inverse: Vec3,
+}
+
+/// A block of cells and the stretch of the ray over its square.
+#[derive(Clone, Copy)]
+struct Block {
+    level: usize,
+    i: usize,
+    j: usize,
     lo: f64,
     hi: f64,
 }
 
-impl Stretch {
-    fn clipped(mut self, axis: usize, slab: (f64, f64)) -> Option<Stretch> {
+impl Walk {
+    /// The part of a stretch between two planes across an axis.
+    fn clipped(&self, (lo, hi): (f64, f64), axis: usize, slab: (f64, f64)) -> Option<(f64, f64)> {
         let o = self.ray.origin[axis];
         if self.ray.dir[axis] == 0.0 {
-            return (slab.0 <= o && o <= slab.1).then_some(self);
+            return (slab.0 <= o && o <= slab.1).then_some((lo, hi));
         }
         let (a, b) = ((slab.0 - o) * self.inverse[axis], (slab.1 - o) * self.inverse[axis]);
-        (self.lo, self.hi) = (self.lo.max(a.min(b)), self.hi.min(a.max(b)));
-        (self.lo <= self.hi).then_some(self)
+        let (lo, hi) = (lo.max(a.min(b)), hi.min(a.max(b)));
+        (lo <= hi).then_some((lo, hi))
+    }
+
+    /// On which side of a plane across an axis the ray starts, and where it changes to the other. Blocks that have
+    /// nothing beyond the plane are left out of account by `beyond`.
+    fn sides(&self, block: &Block, axis: usize, plane: f64, beyond: bool) -> (usize, f64) {
+        let (o, d) = (self.ray.origin[axis], self.ray.dir[axis]);
+        if !beyond {
+            return (0, block.hi);
+        }
+        if d == 0.0 {
+            return (usize::from(o >= plane), block.hi);
+        }
+        (usize::from(d < 0.0), ((plane - o) * self.inverse[axis]).max(block.lo).min(block.hi))
     }
 }
 
@@ -78,64 +99,78 @@ impl HeightField {
 
     fn search(&self, ray: &Ray, to: &mut impl Collect) {
         let ray = Ray::new(ray.origin / self.scale, ray.dir / self.scale);
-        let inverse = ray.dir.recip();
-        let (lo, hi) = to.range();
+        let walk = Walk { inverse: ray.dir.recip(), ray };
+        let Some(whole) = self.whole(&walk, to.range()) else { return };
         // Blocks still to be walked, nearest on top.
-        let mut stack: SmallVec<[(usize, usize, usize); 64]> = SmallVec::new();
-        if let Some(top) = self.levels.len().checked_sub(1) {
-            stack.push((top, 0, 0));
-        }
-        while let Some((level, i, j)) = stack.pop() {
-            let stretch = Stretch { ray, inverse, lo, hi: hi.min(to.range().1) };
-            let Some(stretch) = self.clip_to_block(stretch, level, i, j) else { continue };
-            if level == 0 {
-                self.search_cell(stretch, i, j, to);
+        let mut stack: SmallVec<[Block; 32]> = SmallVec::new();
+        stack.push(whole);
+        while let Some(block) = stack.pop() {
+            let block = Block { hi: block.hi.min(to.range().1), ..block };
+            if block.lo > block.hi || !self.may_meet(&ray, &block) {
+                continue;
+            }
+            if block.level == 0 {
+                self.search_cell(&ray, &block, to);
             } else {
-                self.push_children(&ray, level - 1, i, j, &mut stack);
+                self.push_children(&walk, &block, &mut stack);
             }
         }
     }
 
-    fn clip_to_block(&self, stretch: Stretch, level: usize, i: usize, j: usize) -> Option<Stretch> {
-        let (low, high) = self.levels[level].spans[j * self.levels[level].columns + i];
-        let side = |k: usize| ((k << level) as f64, ((k + 1) << level) as f64);
-        let flat = stretch.clipped(0, side(i))?.clipped(2, side(j))?;
-        let tall = (f64::from(low) - SHORE, f64::from(high) + SHORE);
-        let in_box = flat.clipped(1, tall)?;
-        // In a cell the whole stretch over its square is wanted, so that its ends are those of its neighbours.
-        (tall.1 >= self.bottom).then_some(if level == 0 { flat } else { in_box })
+    /// The whole field and the stretch of the ray in its box.
+    fn whole(&self, walk: &Walk, range: (f64, f64)) -> Option<Block> {
+        let level = self.levels.len().checked_sub(1)?;
+        let (low, high) = self.levels[level].spans[0];
+        let range = walk.clipped(range, 0, (0.0, self.levels[0].columns as f64))?;
+        let range = walk.clipped(range, 2, (0.0, self.levels[0].rows as f64))?;
+        let (lo, hi) = walk.clipped(range, 1, (f64::from(low) - SHORE, f64::from(high) + SHORE))?;
+        Some(Block { level, i: 0, j: 0, lo, hi })
     }
 
-    /// The four blocks below one, the farthest first.
-    fn push_children(
-        &self,
-        ray: &Ray,
-        level: usize,
-        i: usize,
-        j: usize,
-        stack: &mut SmallVec<[(usize, usize, usize); 64]>,
-    ) {
-        let (columns, rows) = (self.levels[level].columns, self.levels[level].rows);
-        let (di, dj) = (usize::from(ray.dir.x < 0.0), usize::from(ray.dir.z < 0.0));
-        for (a, b) in [(1, 1), (1, 0), (0, 1), (0, 0)] {
-            let (i, j) = (2 * i + (a ^ di), 2 * j + (b ^ dj));
-            if i < columns && j < rows {
-                stack.push((level, i, j));
+    /// Does the ray come to the heights of a block while it is over it?
+    #[inline]
+    fn may_meet(&self, ray: &Ray, block: &Block) -> bool {
+        let level = &self.levels[block.level];
+        let (low, high) = level.spans[block.j * level.columns + block.i];
+        let y = |t: f64| ray.origin.y + ray.dir.y * t;
+        let (a, b) = (y(block.lo), y(block.hi));
+        let top = f64::from(high) + SHORE;
+        a.max(b) >= f64::from(low) - SHORE && a.min(b) <= top && top >= self.bottom
+    }
+
+    /// Up to three of the four blocks below one, those that the ray is over, the farthest first.
+    fn push_children(&self, walk: &Walk, block: &Block, stack: &mut SmallVec<[Block; 32]>) {
+        let level = block.level - 1;
+        let below = &self.levels[level];
+        let (i, j) = (2 * block.i, 2 * block.j);
+        let plane = |k: usize| ((k + 1) << level) as f64;
+        let (di, tx) = walk.sides(block, 0, plane(i), i + 1 < below.columns);
+        let (dj, tz) = walk.sides(block, 2, plane(j), j + 1 < below.rows);
+        let mut push = |di: usize, dj: usize, lo: f64, hi: f64| {
+            if lo < hi {
+                stack.push(Block { level, i: i + di, j: j + dj, lo, hi });
             }
+        };
+        push(1 - di, 1 - dj, tx.max(tz), block.hi);
+        if tx < tz {
+            push(1 - di, dj, tx, tz);
+        } else {
+            push(di, 1 - dj, tz, tx);
         }
+        push(di, dj, block.lo, tx.min(tz));
     }
 
-    fn search_cell(&self, stretch: Stretch, i: usize, j: usize, to: &mut impl Collect) {
-        let Stretch { ray, lo, hi, .. } = stretch;
+    fn search_cell(&self, ray: &Ray, block: &Block, to: &mut impl Collect) {
+        let &Block { i, j, lo, hi, .. } = block;
         // Where the ray crosses the diagonal from (i + 1, j) to (i, j + 1).
         let (o, d) = (ray.origin, ray.dir);
         let before = (o.x - i as f64) + (o.z - j as f64) - 1.0;
         let along = d.x + d.z;
         let parallel = along == 0.0;
-        let cut = if parallel { hi } else { (-before / along).clamp(lo, hi) };
+        let cut = if parallel { hi } else { (-before / along).max(lo).min(hi) };
         let starts_upper = if parallel { before > 0.0 } else { along < 0.0 };
-        self.search_triangle(&ray, (i, j), starts_upper, (lo, cut), to);
-        self.search_triangle(&ray, (i, j), !starts_upper, (cut, hi), to);
+        self.search_triangle(ray, (i, j), starts_upper, (lo, cut), to);
+        self.search_triangle(ray, (i, j), !starts_upper, (cut, hi), to);
     }
 
     /// One triangle, on the stretch of the ray over it.
@@ -144,23 +179,18 @@ impl HeightField {
         ray: &Ray,
         cell: (usize, usize),
         upper: bool,
-        stretch: (f64, f64),
+        (a, b): (f64, f64),
         to: &mut impl Collect,
     ) {
+        if a >= b {
+            return;
+        }
         let over = |t: f64| {
             let p = ray.at(t);
             p.y - self.facet_height(cell, upper, p.x - cell.0 as f64, p.z - cell.1 as f64)
         };
-        let (a, b) = if stretch.0.is_finite() && stretch.1.is_finite() {
-            stretch
-        } else {
-            // Straight up or down: the ray is over one spot for ever.
-            let y = |h: f64| (h - ray.origin.y) / ray.dir.y;
-            let (p, q) = (y(-1.0), y(FULL));
-            (stretch.0.max(p.min(q)), stretch.1.min(p.max(q)))
-        };
         let (fa, fb) = (over(a), over(b));
-        if a >= b || (fa < 0.0) == (fb < 0.0) {
+        if (fa < 0.0) == (fb < 0.0) {
             return;
         }
         let t = a + (b - a) * fa / (fa - fb);

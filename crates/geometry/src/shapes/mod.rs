@@ -201,7 +201,79 @@ pub(crate) fn inverse(shape: &Shape) -> Option<ShapeKind> {
     }
 }
 
+/// The most hits of a shape that finds them all together: the four of a double cone.
+pub(crate) const FEW: usize = 4;
+
+/// Hits of a simple shape, without memory of their own.
+#[derive(Default)]
+pub(crate) struct Few {
+    hits: [LocalHit; FEW],
+    len: usize,
+}
+
+impl Few {
+    /// Adds a hit, if it is in the range. More than [`FEW`] are not kept.
+    #[inline(always)]
+    pub(crate) fn push(&mut self, hit: LocalHit, range: (f64, f64)) {
+        if hit.t > range.0 && hit.t < range.1 && self.len < FEW {
+            self.hits[self.len] = hit;
+            self.len += 1;
+        }
+    }
+
+    /// The hits so far.
+    #[inline(always)]
+    pub(crate) fn as_slice(&self) -> &[LocalHit] {
+        &self.hits[..self.len]
+    }
+
+    /// Near ones first.
+    #[inline]
+    pub(crate) fn sort(&mut self) {
+        for end in 1..self.len {
+            let mut at = end;
+            while at > 0 && self.hits[at].t < self.hits[at - 1].t {
+                self.hits.swap(at, at - 1);
+                at -= 1;
+            }
+        }
+    }
+}
+
 impl ShapeKind {
+    /// Adds all hits within the range, if the shape has but a few and finds them together; or returns false.
+    #[inline]
+    pub(crate) fn few(&self, ray: &Ray, range: (f64, f64), out: &mut Few) -> bool {
+        match self {
+            ShapeKind::Box(s) => s.few(ray, range, out),
+            ShapeKind::Cone(s) => s.few(ray, range, out),
+            ShapeKind::Quadric(s) => s.few(ray, range, out),
+            ShapeKind::Plane(s) => s.closest(ray, range).into_iter().for_each(|h| out.push(h, range)),
+            ShapeKind::Disc(s) => s.closest(ray, range).into_iter().for_each(|h| out.push(h, range)),
+            ShapeKind::Triangle(s) => s.closest(ray, range).into_iter().for_each(|h| out.push(h, range)),
+            _ => return false,
+        }
+        true
+    }
+
+    /// Does [`ShapeKind::few`] know the shape?
+    #[inline]
+    pub(crate) fn has_few(&self) -> bool {
+        use ShapeKind::{Box, Cone, Disc, Plane, Quadric, Triangle};
+        matches!(self, Box(_) | Cone(_) | Disc(_) | Plane(_) | Quadric(_) | Triangle(_))
+    }
+
+    /// Roughly what questions cost, for their order: 0 for a plane, more for what takes iterations.
+    pub(crate) fn cost(&self) -> u32 {
+        match self {
+            ShapeKind::Plane(_) | ShapeKind::Box(_) | ShapeKind::Disc(_) | ShapeKind::Triangle(_) => 0,
+            ShapeKind::Quadric(_) | ShapeKind::Cone(_) => 1,
+            ShapeKind::Torus(_) | ShapeKind::Polygon(_) | ShapeKind::Ovus(_) => 2,
+            ShapeKind::Isosurface(_) | ShapeKind::Julia(_) | ShapeKind::Parametric(_) => 9,
+            _ => 4,
+        }
+    }
+
     /// The textures at a point of a surface whose parts have textures of their own: numbers of the scene's data and
     /// their shares. Nothing where the object's own texture counts.
     pub(crate) fn part_uses(&self, p: Vec3, hit: &LocalHit, out: &mut PartUses) {

@@ -1,7 +1,7 @@
 //! The quadric: the general surface of second degree.
 use raggio_math::{Aabb, Ray, Vec3};
 
-use super::beyond;
+use super::{Few, beyond};
 use crate::{LocalHit, Surface};
 
 /// The least distance a quadric reports.
@@ -44,6 +44,11 @@ impl Quadric {
         }
     }
 
+    /// Has [`Quadric::inverse`] made it?
+    pub(crate) fn is_turned(&self) -> bool {
+        self.sign < 0.0
+    }
+
     fn value(&self, p: Vec3) -> f64 {
         p.dot(self.squares * p + self.linear)
             + self.mixed.dot(Vec3::new(p.x * p.y, p.x * p.z, p.y * p.z))
@@ -80,14 +85,52 @@ impl Quadric {
         Some((s.min(t), s.max(t)))
     }
 
-    /// The least that the part along one axis can be, or minus infinity.
-    fn least(&self, axis: usize) -> f64 {
-        let (a, b) = (self.sign * self.squares[axis], self.sign * self.linear[axis]);
-        match (a > 0.0, a == 0.0 && b == 0.0) {
-            (true, _) => -b * b / (4.0 * a),
-            (_, true) => 0.0,
-            _ => f64::NEG_INFINITY,
+    /// Both hits, as far as they are in the range.
+    #[inline]
+    pub(crate) fn few(&self, ray: &Ray, range: (f64, f64), out: &mut Few) {
+        let range = beyond(range, LEAST);
+        if let Some((s, t)) = self.roots(ray) {
+            out.push(LocalHit::at(s), range);
+            if t != s {
+                out.push(LocalHit::at(t), range);
+            }
         }
+    }
+
+    /// The least that the part along one axis can be between two coordinates.
+    fn least(&self, axis: usize, lo: f64, hi: f64) -> f64 {
+        let (a, b) = (self.sign * self.squares[axis], self.sign * self.linear[axis]);
+        let value = |x: f64| match (a == 0.0 && b == 0.0, x.is_infinite()) {
+            (true, _) => 0.0,
+            (_, false) => x * (a * x + b),
+            (_, true) if a == 0.0 => b * x,
+            _ => a * f64::INFINITY,
+        };
+        if a > 0.0 {
+            return value((-b / (2.0 * a)).max(lo).min(hi));
+        }
+        value(lo).min(value(hi))
+    }
+
+    /// A box around the part of the solid that lies within a box, in the quadric's own coordinates: finite sides where
+    /// the quadric lies along the axes and is bounded that way.
+    pub(crate) fn bounds_within(&self, within: &Aabb) -> Aabb {
+        let mut bounds = *within;
+        if self.mixed != Vec3::ZERO || within.is_empty() {
+            return bounds;
+        }
+        let least = |axis: usize| self.least(axis, within.min[axis], within.max[axis]);
+        for axis in 0..3 {
+            let others = least((axis + 1) % 3) + least((axis + 2) % 3);
+            if others.is_finite() {
+                let (lo, hi) = self.interval(axis, -self.sign * self.constant - others);
+                // A hair more, for the rounding of the above.
+                let grow = |x: f64| if x.is_finite() { x.abs() * 1e-9 + 1e-9 } else { 0.0 };
+                bounds.min[axis] = within.min[axis].max(lo - grow(lo));
+                bounds.max[axis] = within.max[axis].min(hi + grow(hi));
+            }
+        }
+        bounds
     }
 
     /// Where the part along one axis is at most `most`.
@@ -107,22 +150,8 @@ impl Quadric {
 }
 
 impl Surface for Quadric {
-    /// Finite sides where the quadric lies along the axes and is bounded that way.
     fn bounds(&self) -> Aabb {
-        let mut bounds = Aabb::INFINITE;
-        if self.mixed != Vec3::ZERO {
-            return bounds;
-        }
-        for axis in 0..3 {
-            let others = self.least((axis + 1) % 3) + self.least((axis + 2) % 3);
-            if others.is_finite() {
-                (bounds.min[axis], bounds.max[axis]) =
-                    self.interval(axis, -self.sign * self.constant - others);
-            }
-        }
-        // A hair more, for the rounding of the above.
-        let grow = |v: Vec3| v.map(|x| if x.is_finite() { x.abs() * 1e-9 + 1e-9 } else { 0.0 });
-        Aabb { min: bounds.min - grow(bounds.min), max: bounds.max + grow(bounds.max) }
+        self.bounds_within(&Aabb::INFINITE)
     }
 
     fn inside_bounds(&self) -> Aabb {
@@ -130,16 +159,9 @@ impl Surface for Quadric {
     }
 
     fn hits(&self, ray: &Ray, range: (f64, f64), out: &mut Vec<LocalHit>) {
-        let (lo, hi) = beyond(range, LEAST);
-        if let Some((s, t)) = self.roots(ray) {
-            let within = |t: f64| t > lo && t < hi;
-            if within(s) {
-                out.push(LocalHit::at(s));
-            }
-            if t != s && within(t) {
-                out.push(LocalHit::at(t));
-            }
-        }
+        let mut few = Few::default();
+        self.few(ray, range, &mut few);
+        out.extend_from_slice(few.as_slice());
     }
 
     #[inline]
@@ -156,5 +178,28 @@ impl Surface for Quadric {
 
     fn normal(&self, p: Vec3, _: &LocalHit) -> Vec3 {
         ((self.slope(p) + self.linear) * self.sign).normalize_or(Vec3::X)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_hyperboloid_between_two_heights_has_a_box() {
+        // x2 - y2 + z2 = 1
+        let waist = Quadric::new(&[1.0, -1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0]);
+        assert_eq!(waist.bounds(), Aabb::INFINITE);
+        let mut slab = Aabb::INFINITE;
+        (slab.min.y, slab.max.y) = (-2.0, 1.0);
+        let b = waist.bounds_within(&slab);
+        let r = 5f64.sqrt();
+        assert!((b.min - Vec3::new(-r, -2.0, -r)).length() < 1e-7, "{b:?}");
+        assert!((b.max - Vec3::new(r, 1.0, r)).length() < 1e-7, "{b:?}");
+        // A paraboloid, y = x2 + z2, below a height.
+        let bowl = Quadric::new(&[1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0]);
+        slab.max.y = 4.0;
+        let b = bowl.bounds_within(&slab);
+        assert!((b.max - Vec3::new(2.0, 4.0, 2.0)).length() < 1e-7 && b.min.y.abs() < 1e-7, "{b:?}");
     }
 }

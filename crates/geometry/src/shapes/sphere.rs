@@ -1,7 +1,7 @@
 //! The sphere, and its form in the world for uniformly scaled placements.
 use raggio_math::{Aabb, EPS, Ray, Vec2, Vec3};
 
-use super::{beyond, turn};
+use super::{Few, beyond, turn};
 use crate::{LocalHit, Surface};
 
 /// The least distance a sphere reports.
@@ -44,6 +44,16 @@ impl Sphere {
         }
         None
     }
+
+    /// Both hits, as far as they are in the range.
+    #[inline]
+    pub(crate) fn few(&self, ray: &Ray, range: (f64, f64), out: &mut Few) {
+        let range = beyond(range, LEAST);
+        if let Some((a, b)) = self.chord(ray) {
+            out.push(LocalHit::at(a), range);
+            out.push(LocalHit::at(b), range);
+        }
+    }
 }
 
 impl Surface for Sphere {
@@ -52,10 +62,9 @@ impl Surface for Sphere {
     }
 
     fn hits(&self, ray: &Ray, range: (f64, f64), out: &mut Vec<LocalHit>) {
-        let (lo, hi) = beyond(range, LEAST);
-        if let Some((a, b)) = self.chord(ray) {
-            out.extend([a, b].iter().filter(|t| **t > lo && **t < hi).map(|&t| LocalHit::at(t)));
-        }
+        let mut few = Few::default();
+        self.few(ray, range, &mut few);
+        out.extend_from_slice(few.as_slice());
     }
 
     #[inline]

@@ -3,6 +3,7 @@ use super::s_curve;
 use super::tables::HASH;
 use super::values::VALUES;
 use crate::{EPS, Vec3};
+use wide::f64x4;
 
 /// Added to a number below 2^51 it leaves the nearest whole number in the low bits of the sum.
 const ROUND: f64 = 6_755_399_441_055_744.0;
@@ -27,7 +28,7 @@ fn split(c: f64) -> (usize, f64) {
 struct Cell {
     /// Indices into the values, x slowest, z fastest.
     corners: [usize; 8],
-    factors: [[f64; 4]; 4],
+    factors: [f64x4; 4],
     fx: f64,
     sx: f64,
 }
@@ -40,10 +41,20 @@ impl Cell {
         let h = |i: usize| usize::from(HASH[i & 8191]);
         let (x0, x1) = (h(ix), h(ix + 1));
         let sides = [h(x0 ^ iy), h(x0 ^ (iy + 1)), h(x1 ^ iy), h(x1 ^ (iy + 1))];
-        let corners = std::array::from_fn(|i| h(sides[i / 2] ^ (iz + i % 2)) & 255);
+        let corner = |side: usize, dz: usize| h(sides[side] ^ (iz + dz)) & 255;
+        let corners = [
+            corner(0, 0),
+            corner(0, 1),
+            corner(1, 0),
+            corner(1, 1),
+            corner(2, 0),
+            corner(2, 1),
+            corner(3, 0),
+            corner(3, 1),
+        ];
         let factor = |wy: f64, wz: f64, fy: f64, fz: f64| {
             let w = wy * wz;
-            [0.5 * w, w, w * fy, w * fz]
+            f64x4::new([0.5 * w, w, w * fy, w * fz])
         };
         let factors = [
             factor(1.0 - sy, 1.0 - sz, fy, fz),
@@ -58,14 +69,13 @@ impl Cell {
     #[inline(always)]
     fn channel<const M: usize>(&self) -> f64 {
         let side = |first: usize| {
-            let mut sum = [0.0; 4];
-            for (corner, factor) in self.corners[first..first + 4].iter().zip(&self.factors) {
-                let at = (corner & 255) + 4 * M;
-                for k in 0..4 {
-                    sum[k] += VALUES[at + k] * factor[k];
-                }
+            let mut sum = f64x4::new([0.0; 4]);
+            for i in 0..4 {
+                let at = (self.corners[first + i] & 255) + 4 * M;
+                let row = f64x4::new([VALUES[at], VALUES[at + 1], VALUES[at + 2], VALUES[at + 3]]);
+                sum += row * self.factors[i];
             }
-            sum
+            sum.to_array()
         };
         let ([value, x, y, z], [value1, x1, y1, z1]) = (side(0), side(4));
         let near = (value + y) + (z + x * self.fx);

@@ -5,19 +5,19 @@ use super::tables::HASH;
 
 const SIZE: usize = 32768;
 
-static TABLE: LazyLock<Box<[f64; SIZE]>> = LazyLock::new(table);
+static TABLE: LazyLock<Box<[u32; SIZE]>> = LazyLock::new(table);
 
 /// Entry `k` (modulo 32768) of the table: uniform in 0..1, the outputs of a Mersenne twister with its default seed.
 #[inline]
 pub fn random(k: usize) -> f64 {
-    TABLE[k % SIZE]
+    unit(TABLE[k % SIZE])
 }
 
 /// Three entries in a row: a random point of the unit cube.
 #[inline]
 pub fn random3(k: usize) -> [f64; 3] {
     let table = &**TABLE;
-    [table[k % SIZE], table[(k + 1) % SIZE], table[(k + 2) % SIZE]]
+    [unit(table[k % SIZE]), unit(table[(k + 1) % SIZE]), unit(table[(k + 2) % SIZE])]
 }
 
 /// A hash of three integers, 0..=4095; each counts modulo 4096.
@@ -34,9 +34,15 @@ pub fn hash(i: i64) -> usize {
     usize::from(HASH[(i & 4095) as usize])
 }
 
-fn table() -> Box<[f64; SIZE]> {
+/// From 32 random bits to 0..1; exact, and the table of bits is half as large as one of numbers.
+#[inline]
+fn unit(bits: u32) -> f64 {
+    f64::from(bits) * (1.0 / 4_294_967_296.0)
+}
+
+fn table() -> Box<[u32; SIZE]> {
     let mut twister = Mt19937::new(5489);
-    Box::new(std::array::from_fn(|_| f64::from(twister.next()) / 4_294_967_296.0))
+    Box::new(std::array::from_fn(|_| twister.next()))
 }
 
 /// The Mersenne twister of Matsumoto and Nishimura (1998), 32 bits.

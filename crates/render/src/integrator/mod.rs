@@ -8,7 +8,7 @@ pub(crate) mod refraction;
 pub(crate) mod surface;
 mod textures;
 
-use raggio_geometry::{Hit, InteriorId, RayClass};
+use raggio_geometry::{BlockerGuess, Hit, InteriorId, RayClass};
 use raggio_image::Rgb;
 use raggio_math::{FAR, MIN_HIT, Ray};
 use smallvec::SmallVec;
@@ -126,6 +126,8 @@ pub struct Tracer<'w> {
     /// Light that arrives at the surface points in work, by light, each once for all layers.
     arriving: Vec<Option<Rgb>>,
     pub(crate) area_scratch: AreaScratch,
+    /// What last stood before each light.
+    pub(crate) blockers: Vec<BlockerGuess>,
     /// Where the stack stood at first, and how much of it may be used: rays that pass straight through count for no
     /// level, so that nothing else limits them.
     stack_base: usize,
@@ -147,6 +149,7 @@ impl<'w> Tracer<'w> {
             scatter_depth: 0,
             arriving: Vec::new(),
             area_scratch: AreaScratch::default(),
+            blockers: vec![BlockerGuess::default(); world.lights.len()],
             stack_base: stack_position(),
             stack_allowance,
         }

@@ -77,7 +77,7 @@ impl AreaGrid {
             return axes.0 * s + axes.1 * t;
         }
         let (s, t) = (s + 0.001, t + 0.001);
-        let round = s.abs().max(t.abs()) / s.hypot(t).max(1e-300);
+        let round = s.abs().max(t.abs()) / (s * s + t * t).sqrt().max(1e-300);
         axes.0 * (s * round) + axes.1 * (t * round)
     }
 }

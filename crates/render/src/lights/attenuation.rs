@@ -162,7 +162,7 @@ mod tests {
     }
 
     fn at(light: &scene::Light, p: Vec3) -> f32 {
-        let light = LightSource::build(light).unwrap();
+        let light = LightSource::build(0, light).unwrap();
         light.arriving(p, &light.path(p), light.position).x
     }
 
@@ -208,7 +208,7 @@ mod tests {
     fn parallel_lights_shine_one_way_and_count_distance_along_it() {
         let mut sun = light(LightKind::Point);
         sun.parallel = true;
-        let sun = LightSource::build(&sun).unwrap();
+        let sun = LightSource::build(0, &sun).unwrap();
         let path = sun.path(Vec3::new(7.0, 12.0, 3.0));
         assert!((path.dir - Vec3::Y).length() < 1e-12);
         assert!((path.distance + 2.0).abs() < 1e-12);

@@ -13,6 +13,8 @@ pub use attenuation::Cone;
 
 /// A light ready to shine.
 pub struct LightSource {
+    /// Its place among the world's lights.
+    pub index: usize,
     /// Where it stands.
     pub position: Vec3,
     /// Where it points.
@@ -55,9 +57,10 @@ impl LightSource {
     ///
     /// # Errors
     /// If the object that it shines through cannot be built.
-    pub fn build(light: &scene::Light) -> Result<LightSource, BuildError> {
+    pub fn build(index: usize, light: &scene::Light) -> Result<LightSource, BuildError> {
         let through = light.projected_through.as_ref().map(Geometry::of_object).transpose()?;
         Ok(LightSource {
+            index,
             position: light.location,
             point_at: light.point_at,
             axis: (light.point_at - light.location).try_normalize().unwrap_or(Vec3::Z),

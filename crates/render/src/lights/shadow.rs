@@ -67,10 +67,14 @@ impl Tracer<'_> {
         let hazy = world.any_media && self.quality.volume();
         let misty = source.media_attenuation && self.quality.volume();
         let mut list: Option<Interiors> = None;
+        let mut guess = self.blockers[source.index];
         while left > 2.0 * SHADOW_TOLERANCE {
             let range = (SHADOW_TOLERANCE, left - SHADOW_TOLERANCE);
-            let Some(hit) = world.geometry.blocker(&ray, range, RayClass::Shadow, stops) else { break };
+            let Some(hit) = world.geometry.blocker(&ray, range, RayClass::Shadow, &mut guess, stops) else {
+                break;
+            };
             if stops(&hit) {
+                self.blockers[source.index] = guess;
                 return Rgb::ZERO;
             }
             let surface = world.geometry.interaction(&ray, &hit);

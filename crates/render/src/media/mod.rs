@@ -95,11 +95,18 @@ impl Medium {
 
     /// The density at a point of the world.
     fn density(&self, p: Vec3, ray_dir: Vec3) -> Rgb {
+        if self.densities.is_empty() {
+            return Rgb::ONE;
+        }
         let context = Context { ray_dir, ..Context::NONE };
         let at = |(pigment, density_from_world): &(Pigment, Affine)| {
             pigment.eval(density_from_world.transform_point3(p), &context).map_or(Rgb::ONE, |c| c.rgb)
         };
-        self.densities.iter().map(at).product()
+        let mut product = Rgb::ONE;
+        for density in &self.densities {
+            product *= at(density);
+        }
+        product
     }
 }
 
@@ -219,6 +226,11 @@ fn aa_threshold(media: &Joined<'_>) -> f32 {
     media.iter().map(|m| m.sampling.aa_threshold).fold(f32::INFINITY, f32::min)
 }
 
+/// Of each part; what is clear stays clear at no cost.
+#[inline]
 fn exp(v: Rgb) -> Rgb {
+    if v == Rgb::ZERO {
+        return Rgb::ONE;
+    }
     Rgb::new(v.x.exp(), v.y.exp(), v.z.exp())
 }

@@ -92,6 +92,9 @@ struct Extras {
 pub fn mesh(p: &mut Parser) -> Result<Object> {
     object::shape(p, "mesh", |p| {
         let span = p.span();
+        if p.peek()? == Tok::Unknown && p.text() == "file" {
+            return from_file(p);
+        }
         let mut builder = Builder::default();
         loop {
             match p.peek()? {
@@ -109,6 +112,18 @@ pub fn mesh(p: &mut Parser) -> Result<Object> {
         }
         Ok(Shape::Mesh(Arc::new(builder.mesh)))
     })
+}
+
+/// `file "model.ply" [inside_vector v]`, an addition to the language. `file` is no word of the language elsewhere, and a
+/// scene that declares it has it for itself.
+fn from_file(p: &mut Parser) -> Result<Shape> {
+    p.next()?;
+    let name = p.path()?;
+    let mut mesh = p.model(&name)?;
+    if p.peek()? == Tok::Kw(Kw::Inside_vector) {
+        mesh.inside_vector = inside_vector(p)?;
+    }
+    Ok(Shape::Mesh(Arc::new(mesh)))
 }
 
 /// `inside_vector v`; the zero vector means none.

@@ -1,7 +1,7 @@
 //! The directives, `#declare` and its kin among them (language spec, sections 1.3 and 1.7).
 use std::sync::Arc;
 
-use raggio_diag::Span;
+use raggio_diag::{Diagnostic, Span};
 
 use super::compiled::Level;
 use super::cursor::Stop;
@@ -108,13 +108,16 @@ impl Parser<'_> {
         };
         let target = self.target(symbol, local, span)?;
         self.expect('=')?;
-        let value = self.right_side()?;
+        let value = match self.right_side() {
+            Ok(value) => value,
+            Err(fault) => return Err(self.blame_semicolon(fault, symbol, span)),
+        };
         let kind = value.kind();
         let place = self.assign(target, value, span)?;
         if let Some(deprecation) = deprecation {
             self.scopes.deprecate(place.slot, deprecation);
         }
-        self.end_declaration(kind)
+        self.end_declaration(kind, symbol, span)
     }
 
     /// `deprecated ["once"] ["message"]`; leaves the lexeme after it.
@@ -261,7 +264,7 @@ impl Parser<'_> {
     }
 
     /// The semicolon: required after numbers and colours, optional after anything else.
-    fn end_declaration(&mut self, kind: Kind) -> Result<()> {
+    fn end_declaration(&mut self, kind: Kind, symbol: Symbol, name: Span) -> Result<()> {
         if self.accept_raw_semicolon()? || !matches!(kind, Kind::Float | Kind::Vector | Kind::Color) {
             return Ok(());
         }
@@ -271,9 +274,25 @@ impl Parser<'_> {
                 let span = self.here();
                 self.warn("missing-semicolon", "a declaration of a number should end with `;`", span);
             }
-            _ => return self.missing_semicolon(),
+            _ => return Err(self.missing_semicolon(symbol, name)),
         }
         Ok(())
+    }
+
+    /// Without its `;`, a number is still being read in the `#if` or `#while` after it, which may ask for the very
+    /// name that is being declared: what is missing is the semicolon, not the name.
+    fn blame_semicolon(&self, fault: Box<Diagnostic>, symbol: Symbol, name: Span) -> Box<Diagnostic> {
+        let Some(at) = fault.span.filter(|at| fault.code == "unknown-identifier" && at.file == name.file)
+        else {
+            return fault;
+        };
+        let same = self.source_text(at) == &**self.symbols.name(symbol);
+        let between = Span { file: name.file, start: name.end, end: at.start.max(name.end) };
+        if same && self.source_text(between).contains('#') {
+            self.missing_semicolon(symbol, name)
+        } else {
+            fault
+        }
     }
 
     /// Consumes a semicolon if it comes next, executing nothing on the way but the return from macros.

@@ -2,7 +2,8 @@
 use std::rc::Rc;
 use std::sync::Arc;
 
-use raggio_diag::Span;
+use raggio_diag::{Diagnostic, Span};
+use raggio_scene::{GammaMode, Mesh};
 use rustc_hash::FxHashMap;
 
 use super::scope::Entry;
@@ -66,6 +67,11 @@ fn candidates(name: &str, extensions: &[&str]) -> Vec<String> {
     names
 }
 
+fn not_found<T>(name: &str, span: Span) -> Result<T> {
+    let fault = Diagnostic::error("file-not-found", format!("the file \"{name}\" is not found"), span);
+    Err(Box::new(fault.hint("files are looked for in the current folder and in the library folders")))
+}
+
 impl Parser<'_> {
     /// Finds a file's bytes, trying the name and the name with each extension.
     pub fn file(&mut self, name: &str, extensions: &[&str]) -> Result<Arc<[u8]>> {
@@ -78,12 +84,21 @@ impl Parser<'_> {
         match self.files.find(&candidates(name, extensions)) {
             Some((found, bytes)) if bytes.len() < MAX_FILE => Ok((found, bytes)),
             Some(_) => self.error("file-too-large", format!("the file \"{name}\" is larger than 2 GB"), span),
-            None => {
-                let message = format!("the file \"{name}\" is not found");
-                let fault = raggio_diag::Diagnostic::error("file-not-found", message, span);
-                let hint = "files are looked for in the current folder and in the library folders";
-                Err(Box::new(fault.hint(hint)))
-            }
+            None => not_found(name, span),
+        }
+    }
+
+    /// The triangles of a model file.
+    pub fn model(&mut self, name: &str) -> Result<Mesh> {
+        let span = self.here();
+        let working = match self.settings.gamma {
+            GammaMode::None => None,
+            GammaMode::Working(curve) => Some(curve),
+        };
+        match self.files.mesh(name, working) {
+            Some(Ok(mesh)) => Ok(mesh),
+            Some(Err(fault)) => self.error("bad-model", format!("\"{name}\": {fault}"), span),
+            None => not_found(name, span),
         }
     }
 

@@ -70,10 +70,13 @@ impl Parser<'_> {
         Err(Box::new(fault.label("opened here")))
     }
 
-    pub(super) fn missing_semicolon<T>(&mut self) -> Result<T> {
-        let message = "a declaration of a number, vector or colour must end with `;`";
-        let fault = Diagnostic::error("missing-semicolon", message, self.here());
-        Err(Box::new(fault.label("add `;` after this")))
+    /// A declaration without its `;` at its name, since what follows the value may be far away.
+    pub(super) fn missing_semicolon(&self, symbol: Symbol, name: Span) -> Box<Diagnostic> {
+        let message = format!("the declaration of `{}` must end with `;`", self.symbols.name(symbol));
+        let fault = Diagnostic::error("missing-semicolon", message, name)
+            .label("a number, vector or colour is declared here")
+            .hint("add `;` after the value, or begin an old scene with `#version 3.1;`");
+        Box::new(fault)
     }
 
     /// An error at a place.

@@ -2,7 +2,7 @@
 use raggio_scene::{Curve, GammaMode, Version};
 
 use super::cursor::Stop;
-use super::{Parser, Result};
+use super::{Parser, Result, Tok};
 use crate::value::Value;
 
 /// The effective version where none was ever set.
@@ -33,7 +33,7 @@ impl Parser<'_> {
     pub(super) fn version_directive(&mut self) -> Result<()> {
         let frame = self.cursor.callers.len();
         let span = self.span();
-        self.skip_unofficial()?;
+        let patch = self.unofficial()?;
         self.cursor.stop = Stop::All;
         self.cursor.stop_frame = frame;
         let value = self.float();
@@ -41,6 +41,11 @@ impl Parser<'_> {
         let hundredths = (100.0 * value? + 0.5).trunc();
         if !self.accept_raw_semicolon()? {
             self.warn("missing-semicolon", "#version should end with `;`", span);
+        }
+        if let Some(patch) = patch {
+            let message = format!("this asks for {patch}, a changed POV-Ray; what it adds is not known here");
+            self.warn("unofficial-version", message, span);
+            return Ok(());
         }
         if !(0.0..=f64::from(NEWEST)).contains(&hundredths) {
             let message = format!("this scene wants version {}; we read up to 3.8", hundredths / 100.0);
@@ -54,12 +59,18 @@ impl Parser<'_> {
         Ok(())
     }
 
-    /// `#version unofficial PATCH e`: the words of other programs.
-    fn skip_unofficial(&mut self) -> Result<()> {
-        while self.peek()? == super::Tok::Unknown {
-            self.next()?;
+    /// `unofficial` before a version, and the name of a patch after it, whose own version the number then is.
+    fn unofficial(&mut self) -> Result<Option<String>> {
+        if self.peek()? != Tok::Unknown || self.source_text(self.here()) != "unofficial" {
+            return Ok(None);
         }
-        Ok(())
+        self.next()?;
+        if self.peek()? != Tok::Unknown {
+            return Ok(None);
+        }
+        let patch = self.source_text(self.here());
+        self.next()?;
+        Ok(Some(patch))
     }
 
     fn set_version(&mut self, language: u16) {

@@ -133,9 +133,11 @@ impl<const N: usize> Nearest<N> {
         let base = (q - Vec3::splat(EPS)).floor();
         let f = q - base;
         // What the way to the slab of cells two below .. two above adds at least, per axis.
-        let gap = |f: f64| [f + 1.0, f, 0.0, 1.0 - f, 2.0 - f].map(|d| metric.term(d));
+        let term = |d: f64| metric.term(d);
+        let gap = |f: f64| [term(f + 1.0), term(f), term(0.0), term(1.0 - f), term(2.0 - f)];
         let gaps = [gap(f.x), gap(f.y), gap(f.z)];
-        let far = gaps.iter().fold(f64::INFINITY, |least, gap| least.min(gap[0]).min(gap[4]));
+        let rim = |gap: &[f64; 5]| gap[0].min(gap[4]);
+        let far = rim(&gaps[0]).min(rim(&gaps[1])).min(rim(&gaps[2]));
         let prune = metric.grows();
         let mut nearest = Nearest { powers: [f64::INFINITY; N], point: base, order: usize::MAX };
         for (i, (d, order)) in CELLS.iter().enumerate() {

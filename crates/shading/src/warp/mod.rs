@@ -56,17 +56,33 @@ impl WarpList {
     #[inline]
     pub fn apply(&self, p: Vec3) -> Vec3 {
         let p = clip(p);
-        if self.ops.is_empty() { p } else { clip(self.ops.iter().fold(p, |p, op| op.apply(p))) }
+        match &*self.ops {
+            [] => p,
+            [only] => clip(only.apply(p)),
+            ops => {
+                let mut q = p;
+                for op in ops {
+                    q = op.apply(q);
+                }
+                clip(q)
+            }
+        }
     }
 
     /// A normal carried into the pattern's space. Only transforms act. `scaled` keeps lengths, for `no_bump_scale`.
     pub fn normal_in(&self, n: Vec3, scaled: bool) -> Vec3 {
+        if self.ops.is_empty() {
+            return unit(n, scaled);
+        }
         let n = self.transforms().fold(unit(n, scaled), |n, t| t.forward.matrix3.transpose() * n);
         unit(n, scaled)
     }
 
     /// And back.
     pub fn normal_out(&self, n: Vec3, scaled: bool) -> Vec3 {
+        if self.ops.is_empty() {
+            return unit(n, scaled);
+        }
         let n = self.transforms().rev().fold(unit(n, scaled), |n, t| normal_by_inverse(&t.inverse, n));
         unit(n, scaled)
     }
@@ -83,8 +99,10 @@ fn unit(n: Vec3, leave: bool) -> Vec3 {
     if leave { n } else { n.normalize_or(n) }
 }
 
+#[inline]
 fn clip(p: Vec3) -> Vec3 {
-    p.max(-LIMIT).min(LIMIT)
+    let near = p.x.abs() < LIMIT.x && p.y.abs() < LIMIT.y && p.z.abs() < LIMIT.z;
+    if near { p } else { p.max(-LIMIT).min(LIMIT) }
 }
 
 impl Op {
@@ -116,6 +134,7 @@ impl Op {
         }
     }
 
+    #[inline]
     fn apply(&self, p: Vec3) -> Vec3 {
         match self {
             Op::Transform(t) => t.inverse.transform_point3(p),
