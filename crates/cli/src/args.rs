@@ -21,6 +21,8 @@ pub(crate) enum Command {
     Check(CheckArgs),
     /// Render a scene with several values of one setting, side by side.
     Sweep(SweepArgs),
+    /// Show every pattern, finish or shape on one sheet.
+    Gallery(GalleryArgs),
     /// Take POV-Ray's own switches and INI files.
     #[command(disable_help_flag = true)]
     Povray {
@@ -159,6 +161,36 @@ pub(crate) struct SweepChoice {
     /// A declared name, as in `Height=1..3:0.5`.
     #[arg(long, value_name = "NAME=RANGE", value_parser = crate::sweep::named_range)]
     pub declare: Option<(String, Sweep)>,
+}
+
+/// What a gallery shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum GalleryKind {
+    Patterns,
+    Finishes,
+    Shapes,
+}
+
+#[derive(Args, Clone, Debug)]
+pub(crate) struct GalleryArgs {
+    /// What to show.
+    #[arg(value_enum)]
+    pub kind: GalleryKind,
+    /// The size of each picture.
+    #[arg(long, value_name = "WIDTHxHEIGHT", value_parser = size)]
+    pub size: Option<(usize, usize)>,
+    /// Threads; 0 takes one for each core.
+    #[arg(long, default_value_t)]
+    pub threads: usize,
+    /// How much difference between pixels is smoothed.
+    #[arg(long, value_name = "THRESHOLD", default_value_t = 0.1)]
+    pub antialias: f32,
+    /// How messages are written.
+    #[arg(long, value_enum, default_value_t)]
+    pub message_format: MessageFormat,
+    /// The file of the sheet, a PNG.
+    #[arg(short, long, value_name = "FILE", default_value = "gallery.png")]
+    pub output: PathBuf,
 }
 
 fn size(text: &str) -> Result<(usize, usize), String> {

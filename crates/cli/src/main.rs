@@ -4,12 +4,14 @@
 mod args;
 mod cancel;
 mod commands;
+mod gallery;
 mod pipeline;
 mod povray;
 mod progress;
 mod report;
 mod sheet;
 mod sweep;
+mod thumbnails;
 
 use std::path::Path;
 use std::process::ExitCode;
@@ -51,6 +53,7 @@ fn main() -> ExitCode {
         args::Command::Render(options) => commands::render(&options, &cancel),
         args::Command::Check(options) => commands::check(&options, &cancel),
         args::Command::Sweep(options) => sweep::sweep(&options, &cancel),
+        args::Command::Gallery(options) => gallery::gallery(&options, &cancel),
         args::Command::Povray { arguments } => povray::run(&arguments),
     }
     .into()

@@ -2,14 +2,13 @@
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
-use raggio::image::{Bitmap, EncodeOptions, develop};
 use raggio::{Declared, RenderOptions, SceneOptions};
 
 use crate::args::{SceneArgs, SweepArgs};
 use crate::commands::{antialias, scene_options};
-use crate::progress::Progress;
 use crate::report::Report;
-use crate::{Outcome, pipeline, sheet};
+use crate::thumbnails::Thumbnails;
+use crate::{Outcome, pipeline};
 
 /// The values to try, in order; at least one.
 #[derive(Clone, Debug, PartialEq)]
@@ -60,41 +59,15 @@ pub(crate) fn sweep(args: &SweepArgs, cancel: &Arc<AtomicBool>) -> Outcome {
 
 fn try_sweep(args: &SweepArgs, report: &Report, cancel: &Arc<AtomicBool>) -> Result<Outcome, Option<String>> {
     let (name, values) = variation(args);
-    let mut cells: Vec<(String, Bitmap)> = Vec::new();
-    let mut cancelled = false;
-    for (i, &value) in values.iter().enumerate() {
-        let label = format!("{name}={value}");
+    let mut pictures = Thumbnails::new(report, cancel);
+    for &value in values {
         let (scene, options) = settings(args, value).map_err(Some)?;
-        let ready = match pipeline::prepare(&scene, &mut |text| report.debug(text), cancel) {
-            Ok(ready) => ready,
-            Err(failure) => {
-                report.failure(&failure);
-                return Err(None);
-            }
-        };
-        if i == 0 {
-            report.diagnostics(&ready.loaded.warnings, &ready.loaded.sources);
-        }
-        let film = {
-            let progress = Progress::new(&label, report.human());
-            ready.world.render(&options, cancel, &|done, all| progress.set(done, all))
-        };
-        cancelled = film.cancelled;
-        let encode = pipeline::encode_options(&ready.loaded, EncodeOptions::default());
-        cells.push((label, develop(&pipeline::picture(film), &encode)));
-        if cancelled {
+        pictures.add(format!("{name}={value}"), &scene, &options)?;
+        if pictures.cancelled {
             break;
         }
     }
-    let failed = |e: String| Some(format!("cannot write {}: {e}", args.output.display()));
-    let mut png = Vec::new();
-    raggio::image::write_png(&sheet::sheet(&cells), &mut png).map_err(|e| failed(e.to_string()))?;
-    std::fs::write(&args.output, png).map_err(|e| failed(e.to_string()))?;
-    if cancelled {
-        report.say("warning", &format!("interrupted; {} holds what was there", args.output.display()));
-        return Ok(Outcome::Interrupted);
-    }
-    Ok(Outcome::Done)
+    pictures.write(&args.output)
 }
 
 /// What is varied, and its values.

@@ -127,6 +127,16 @@ fn a_sweep_makes_one_sheet() {
 }
 
 #[test]
+fn a_gallery_shows_what_there_is() {
+    let folder = folder();
+    let output = run(&folder, &["gallery", "finishes", "--size", "16x12", "-o", "g.png"]);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    let (width, height) = size(&folder.path().join("g.png"));
+    assert!(width > 24 * 16 && height > 12, "{width} {height}");
+    assert!(!run(&folder, &["gallery", "flowers"]).status.success());
+}
+
+#[test]
 fn settings_come_from_ini_files_around() {
     let folder = folder();
     std::fs::write(folder.path().join("povray.ini"), "Width=9\nHeight=7\n").expect("a file");
