@@ -12,11 +12,14 @@ use raggio_shading::{Noise, PatternFunction, PigmentFunction};
 /// How many compiled objects are kept: scenes ask thousands of times about a few.
 const KEPT: usize = 64;
 
+/// An object that was asked about and its compiled form; `None` where it is of an unsupported kind.
+type Compiled = (Arc<Object>, Option<Arc<Geometry>>);
+
 /// Answers with the same geometry and shading that render the picture.
 #[derive(Default)]
 pub struct LiveEngine {
     /// By address; each entry keeps its object alive, so that an address names one object only.
-    compiled: Mutex<HashMap<usize, (Arc<Object>, Option<Arc<Geometry>>)>>,
+    compiled: Mutex<HashMap<usize, Compiled>>,
 }
 
 impl LiveEngine {

@@ -286,7 +286,7 @@ impl Parser<'_> {
         else {
             return fault;
         };
-        let same = self.source_text(at) == &**self.symbols.name(symbol);
+        let same = *self.source_text(at) == **self.symbols.name(symbol);
         let between = Span { file: name.file, start: name.end, end: at.start.max(name.end) };
         if same && self.source_text(between).contains('#') {
             self.missing_semicolon(symbol, name)
