@@ -1,2 +1,2 @@
-// error[missing-semicolon] 2:16
+// error[missing-semicolon] 2:10
 #declare A = 1 < 2;

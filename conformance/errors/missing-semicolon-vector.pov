@@ -1,3 +1,3 @@
-// error[missing-semicolon] 3:1 ;
+// error[missing-semicolon] 2:10
 #declare A = <1, 2, 3>
 sphere { A, 1 }
