@@ -22,6 +22,23 @@ pub struct Options {
     pub alpha: bool,
 }
 
+impl Default for Options {
+    /// 800 x 600 pixels, everything on, no anti-aliasing, a thread for each core.
+    fn default() -> Self {
+        Options {
+            width: 800,
+            height: 600,
+            region: None,
+            quality: 9,
+            antialias: None,
+            threads: 0,
+            seed: 0,
+            max_trace_level: None,
+            alpha: false,
+        }
+    }
+}
+
 /// Pixels `left..right`, `top..bottom`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[allow(missing_docs)]

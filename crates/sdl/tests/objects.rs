@@ -149,8 +149,11 @@ fn bare_objects_get_the_default_texture_when_they_are_linked() {
     let o = object(text);
     let Some(TextureKind::Layers(layers)) = o.texture.as_ref().map(|t| &t.item.kind) else { panic!("{o:?}") };
     assert!(matches!(layers[0].pigment.kind, raggio_scene::PigmentKind::Solid(c) if c.rgb.x == 0.5));
-    let cut = object("difference { sphere { 0, 1 } sphere { x, 1 } cutaway_textures }");
+    let cut = object("difference { sphere { 0, 1 pigment { rgb 1 } } sphere { x, 1 } cutaway_textures }");
     assert!(cut.texture.is_none());
+    // Where no member has a texture there is nothing to cut away to.
+    let bare = object("difference { sphere { 0, 1 } sphere { x, 1 } cutaway_textures }");
+    assert!(bare.texture.is_some());
     assert!(matches!(cut.kind, ObjectKind::Csg { op: Csg::Difference { cutaway_textures: true }, .. }));
 }
 
