@@ -29,18 +29,14 @@ type Entry = u64;
 /// No ray keeps more children waiting: seven on each level of the deepest tree that the builder makes.
 const STACK: usize = 7 * MAX_DEPTH + 8;
 
-/// Children that wait, the nearest on top.
-struct Stack {
-    entries: [MaybeUninit<Entry>; STACK],
+/// Children that wait, the nearest on top. The room is borrowed: as a field beside `len` it would be zeroed for
+/// each ray.
+struct Stack<'a> {
+    entries: &'a mut [MaybeUninit<Entry>; STACK],
     len: usize,
 }
 
-impl Stack {
-    #[inline(always)]
-    fn new() -> Self {
-        Stack { entries: [MaybeUninit::uninit(); STACK], len: 0 }
-    }
-
+impl Stack<'_> {
     #[inline(always)]
     fn pop(&mut self) -> Option<(f32, Child)> {
         self.len = self.len.checked_sub(1)?;
@@ -179,7 +175,8 @@ impl Bvh {
         // Adding 0 makes -0 positive, so that entries order like their bits.
         let t0 = down(range.0.max(0.0)) + 0.0;
         let (mut t_max, mut t1) = (range.1, up(range.1));
-        let mut stack = Stack::new();
+        let mut room = [MaybeUninit::uninit(); STACK];
+        let mut stack = Stack { entries: &mut room, len: 0 };
         let mut near = [0.0; WIDTH];
         stack.insert(0, entry(t0, Child::inner(0)));
         while let Some((t, mut child)) = stack.pop() {
@@ -218,7 +215,7 @@ impl Bvh {
 
 /// Pushes the children in `mask` so that the nearest comes off first.
 #[inline(always)]
-fn push_sorted(stack: &mut Stack, node: &Node, mut mask: u32, near: &[f32; WIDTH]) {
+fn push_sorted(stack: &mut Stack<'_>, node: &Node, mut mask: u32, near: &[f32; WIDTH]) {
     let base = stack.len;
     while mask != 0 {
         let i = mask.trailing_zeros() as usize & 7;

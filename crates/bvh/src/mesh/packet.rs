@@ -193,13 +193,14 @@ mod x86 {
         1 + block.triangle[1..].iter().take_while(|&&t| t != block.triangle[0]).count()
     }
 
-    /// Children waiting, the nearest on top.
-    struct Stack {
-        entries: [MaybeUninit<u64>; STACK],
+    /// Children waiting, the nearest on top. The room is borrowed: as a field beside `top` it would be zeroed for each
+    /// packet.
+    struct Stack<'a> {
+        entries: &'a mut [MaybeUninit<u64>; STACK],
         top: usize,
     }
 
-    impl Stack {
+    impl Stack<'_> {
         #[inline(always)]
         fn pop(&mut self) -> Option<(f32, u32)> {
             self.top = self.top.checked_sub(1)?;
@@ -232,7 +233,8 @@ mod x86 {
         mut t_max: __m512,
         mut leaf: impl FnMut(&Block, __m512) -> Option<__m512>,
     ) {
-        let mut stack = Stack { entries: [MaybeUninit::uninit(); STACK], top: 0 };
+        let mut room = [MaybeUninit::uninit(); STACK];
+        let mut stack = Stack { entries: &mut room, top: 0 };
         stack.push(0, 0.0, bvh.root);
         let mut t_high = _mm512_reduce_max_ps(t_max);
         while let Some((t, word)) = stack.pop() {

@@ -81,6 +81,13 @@ pub(super) fn value(settings: &FractalSettings, p: Vec3) -> f64 {
     let c = settings.julia.map_or(here, |c| Complex::new(c.x, c.y));
     let magnet_start = if settings.julia.is_some() { here } else { Complex::ZERO };
     let n = settings.iterations;
+    if settings.kind == FractalKind::Power(2)
+        && settings.julia.is_none()
+        && settings.interior_type == 0
+        && stays(c)
+    {
+        return settings.interior_factor;
+    }
     let orbit = match settings.kind {
         FractalKind::Power(2) => power_orbit(here, c, n, |z| z * z),
         FractalKind::Power(e) => power_orbit(here, c, n, |z| z.power(e)),
@@ -91,6 +98,14 @@ pub(super) fn value(settings: &FractalSettings, p: Vec3) -> f64 {
         Some(column) => exterior(settings, orbit.z, column),
         None => interior(settings, &orbit),
     }
+}
+
+/// Is the point in the main cardioid or in the disc at its left, the two largest parts of the Mandelbrot set? Their orbits
+/// are the longest to follow, and never escape.
+fn stays(c: Complex) -> bool {
+    let (x, y2) = (c.re - 0.25, c.im * c.im);
+    let q = x * x + y2;
+    q * (q + x) < 0.25 * y2 || (c.re + 1.0) * (c.re + 1.0) + y2 < 0.0625
 }
 
 fn power_orbit(start: Complex, c: Complex, n: u32, power: impl Fn(Complex) -> Complex) -> Orbit {
