@@ -64,7 +64,19 @@ fn try_render(
         report.say("warning", &format!("interrupted; {} holds what was there", output.display()));
         return Ok(Outcome::Interrupted);
     }
+    if args.scene.scene.is_none() {
+        report.say("note", &what_next(&output));
+    }
     Ok(Outcome::Done)
+}
+
+/// For somebody who has just started the program for the first time.
+fn what_next(output: &Path) -> String {
+    let place = std::path::absolute(output).unwrap_or_else(|_| output.to_path_buf());
+    format!(
+        "the built-in scene is drawn: {}\nnext: `raggio render scene.pov` draws a scene of yours, `raggio help` shows the rest",
+        place.display()
+    )
 }
 
 /// Reads a scene and reports its faults.

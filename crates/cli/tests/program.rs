@@ -143,3 +143,13 @@ fn settings_come_from_ini_files_around() {
     assert!(run(&folder, &["povray", "scene.pov"]).status.success());
     assert_eq!(size(&folder.path().join("scene.png")), (9, 7));
 }
+
+#[test]
+fn the_built_in_scene_says_where_its_picture_is_and_what_to_try_next() {
+    let folder = folder();
+    let drawn = run(&folder, &["render", "--size", "16x12"]);
+    assert!(drawn.status.success(), "{}", text(&drawn.stderr));
+    assert_eq!(size(&folder.path().join("default.png")), (16, 12));
+    let said = text(&drawn.stderr);
+    assert!(said.contains("default.png") && said.contains("raggio render scene.pov"), "{said}");
+}
