@@ -96,9 +96,8 @@ pub(super) fn least<const N: usize>(all: &Each) -> [f64; N] {
     for group in all.as_chunks::<LANES>().0 {
         let mut rest = *group;
         for kept in &mut lanes {
-            for (kept, rest) in kept.iter_mut().zip(&mut rest) {
-                let (low, high) = if *rest < *kept { (*rest, *kept) } else { (*kept, *rest) };
-                (*kept, *rest) = (low, high);
+            for k in 0..LANES {
+                (kept[k], rest[k]) = in_order(kept[k], rest[k]);
             }
         }
     }
@@ -106,11 +105,16 @@ pub(super) fn least<const N: usize>(all: &Each) -> [f64; N] {
     for value in lanes.as_flattened() {
         let mut rest = *value;
         for kept in &mut least {
-            let (low, high) = if rest < *kept { (rest, *kept) } else { (*kept, rest) };
-            (*kept, rest) = (low, high);
+            (*kept, rest) = in_order(*kept, rest);
         }
     }
     least
+}
+
+/// The lower and the higher of two numbers, in the form that compilers make into the two instructions.
+#[inline(always)]
+fn in_order(a: f64, b: f64) -> (f64, f64) {
+    (if a < b { a } else { b }, if a > b { a } else { b })
 }
 
 #[cfg(test)]
