@@ -258,20 +258,27 @@ impl Nearest {
         }
     }
 
-    fn sift(&mut self, mut i: usize) {
-        loop {
-            let (a, b) = (2 * i + 1, 2 * i + 2);
-            let bigger = |x: usize, y: usize| x < self.found.len() && self.found[x].0 > self.found[y].0;
-            let mut top = if bigger(a, i) { a } else { i };
-            if bigger(b, top) {
-                top = b;
-            }
-            if top == i {
-                return;
-            }
-            self.found.swap(i, top);
-            i = top;
+    /// Puts the entry `i` of the heap where it belongs below. Most belong far down, so that the way is taken first, along
+    /// the bigger children, and then back up as far as need be.
+    fn sift(&mut self, i: usize) {
+        let heap = &mut self.found[..];
+        let item = heap[i];
+        let mut at = i;
+        while 2 * at + 2 < heap.len() {
+            let (a, b) = (2 * at + 1, 2 * at + 2);
+            let child = if heap[b].0 > heap[a].0 { b } else { a };
+            heap[at] = heap[child];
+            at = child;
         }
+        if 2 * at + 1 < heap.len() {
+            heap[at] = heap[2 * at + 1];
+            at = 2 * at + 1;
+        }
+        while at > i && heap[(at - 1) / 2].0 < item.0 {
+            heap[at] = heap[(at - 1) / 2];
+            at = (at - 1) / 2;
+        }
+        heap[at] = item;
     }
 
     /// The radius that the photons found fill.
