@@ -33,6 +33,18 @@ impl MeshShape {
         MeshShape { mesh: mesh.clone(), triangles }
     }
 
+    /// The nearest hit, or any that `stops` says yes to.
+    #[inline]
+    pub(crate) fn closest_or(
+        &self,
+        ray: &Ray,
+        range: (f64, f64),
+        mut stops: impl FnMut(&LocalHit) -> bool,
+    ) -> Option<LocalHit> {
+        let hit = self.triangles.nearest(ray, beyond(range, LEAST), |&hit| stops(&hit.into()));
+        hit.map(LocalHit::from)
+    }
+
     fn face(&self, hit: &LocalHit) -> MeshFace {
         self.mesh.faces.face(hit.part as usize)
     }
@@ -70,7 +82,7 @@ impl Surface for MeshShape {
 
     #[inline]
     fn closest(&self, ray: &Ray, range: (f64, f64)) -> Option<LocalHit> {
-        self.triangles.nearest(ray, beyond(range, LEAST), |_| false).map(LocalHit::from)
+        self.closest_or(ray, range, |_| false)
     }
 
     /// A ray along the mesh's inside vector leaves it an odd number of times.
