@@ -263,6 +263,20 @@ impl ShapeKind {
         matches!(self, Box(_) | Cone(_) | Disc(_) | Plane(_) | Quadric(_) | Triangle(_))
     }
 
+    /// The nearest hit, or any that `stops` says yes to where it is quicker to end there.
+    #[inline]
+    pub(crate) fn closest_or(
+        &self,
+        ray: &Ray,
+        range: (f64, f64),
+        stops: impl FnMut(&LocalHit) -> bool,
+    ) -> Option<LocalHit> {
+        match self {
+            ShapeKind::Mesh(mesh) => mesh.closest_or(ray, range, stops),
+            _ => self.closest(ray, range),
+        }
+    }
+
     /// Roughly what questions cost, for their order: 0 for a plane, more for what takes iterations.
     pub(crate) fn cost(&self) -> u32 {
         match self {
