@@ -41,13 +41,22 @@ impl<const N: usize> std::ops::Deref for Roots<N> {
 /// The value at `x`.
 #[inline]
 pub fn eval(c: &[f64], x: f64) -> f64 {
-    c.iter().rev().fold(0.0, |v, &k| v * x + k)
+    // A loop, because a fold from the end is not always inlined.
+    let mut v = 0.0;
+    for &k in c.iter().rev() {
+        v = v * x + k;
+    }
+    v
 }
 
 /// The value and the slope at `x`.
 #[inline]
 fn eval_with_slope(c: &[f64], x: f64) -> (f64, f64) {
-    c.iter().rev().fold((0.0, 0.0), |(v, s), &k| (v * x + k, s * x + v))
+    let (mut v, mut s) = (0.0, 0.0);
+    for &k in c.iter().rev() {
+        (v, s) = (v * x + k, s * x + v);
+    }
+    (v, s)
 }
 
 /// The real roots of `c[0] + c[1] t + c[2] t^2`, sorted, without cancellation; a double root once.
@@ -247,7 +256,8 @@ fn cubic_knots(c: [f64; 4]) -> Roots<3> {
         x -= (2.0 / 3.0 * spread.sqrt()).copysign(at_inflection);
     }
     for _ in 0..40 {
-        let (v, slope) = eval_with_slope(&[a0, a1, b, 1.0], x);
+        let (first, second) = (x + b, (x + b) * x + a1);
+        let (v, slope) = (second * x + a0, (x + first) * x + second);
         let next = x - v / slope;
         if !next.is_finite() {
             break;
