@@ -14,9 +14,7 @@ pub mod mesh;
 mod node;
 mod round;
 mod traverse;
-mod triangles;
 
 pub use build::Built;
 pub use kernel::Slab;
 pub use traverse::Bvh;
-pub use triangles::{TriangleHit, Triangles};
