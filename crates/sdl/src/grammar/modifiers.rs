@@ -248,6 +248,13 @@ fn clips(p: &mut Parser, o: &mut Object, key: Kw) -> Result<()> {
             linked = true;
             return Ok(true);
         }
+        // A transform after the objects moves them all.
+        if !objects.is_empty()
+            && let Some(t) = p.accept_transform()?
+        {
+            objects.iter_mut().for_each(|object| Arc::make_mut(object).transform(&t));
+            return Ok(true);
+        }
         let object = match p.peek()? {
             Tok::Value(Kind::Object) => take!(p, Object),
             _ => match object::any(p)? {
