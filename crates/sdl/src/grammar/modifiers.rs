@@ -242,7 +242,7 @@ fn top_finish(o: &Object) -> raggio_scene::Finish {
 fn clips(p: &mut Parser, o: &mut Object, key: Kw) -> Result<()> {
     p.next()?;
     let other = if key == Kw::Clipped_by { Kw::Bounded_by } else { Kw::Clipped_by };
-    let (mut linked, mut objects) = (false, Vec::new());
+    let (mut linked, mut objects) = (false, Vec::<Arc<Object>>::new());
     p.block(key.word(), |p| {
         if objects.is_empty() && p.accept(other)? {
             linked = true;
