@@ -143,7 +143,7 @@ pub(crate) fn build(shape: &Shape) -> Result<ShapeKind, BuildError> {
         }
         Shape::Ovus { bottom, top } => ShapeKind::Ovus(ovus::Ovus::new(*bottom, *top)),
         Shape::BicubicPatch { flatness, u_steps, v_steps, points, uv, .. } => {
-            ShapeKind::Bicubic(Box::new(bicubic::Bicubic::new(points, *flatness, *u_steps, *v_steps, *uv)))
+            patch(points, *flatness, (*u_steps, *v_steps), *uv)
         }
         Shape::HeightField(field) => {
             ShapeKind::HeightField(Box::new(height_field::HeightField::new(field.clone())))
@@ -171,13 +171,23 @@ pub(crate) fn moved(shape: &Shape, world_from_object: &Affine) -> Option<ShapeKi
     match shape {
         Shape::Triangle { points } => Some(triangle(points, None, world_from_object)),
         Shape::SmoothTriangle { points, normals } => Some(triangle(points, Some(normals), world_from_object)),
-        // Their least distance and accuracy are measured in the world.
+        // Their flatness, least distance and accuracy are measured in the world.
+        Shape::BicubicPatch { flatness, u_steps, v_steps, points, uv, .. }
+            if !is_rigid(world_from_object) =>
+        {
+            let points = points.map(|row| row.map(|p| world_from_object.transform_point3(p)));
+            Some(patch(&points, *flatness, (*u_steps, *v_steps), *uv))
+        }
         Shape::Blob(blob) if !is_rigid(world_from_object) => {
             Some(ShapeKind::Blob(blob::Blob::new(blob, world_from_object)))
         }
         Shape::Isosurface(iso) if !is_rigid(world_from_object) => Some(isosurface(iso, world_from_object)),
         _ => None,
     }
+}
+
+fn patch(points: &[[Vec3; 4]; 4], flatness: f64, steps: (u32, u32), uv: [Vec2; 4]) -> ShapeKind {
+    ShapeKind::Bicubic(Box::new(bicubic::Bicubic::new(points, flatness, steps.0, steps.1, uv)))
 }
 
 fn isosurface(iso: &raggio_scene::Isosurface, place: &Affine) -> ShapeKind {
