@@ -37,9 +37,14 @@ struct Built {
 }
 
 impl Built {
-    /// What belongs to it lies in this box. A patch has a surface although nothing is inside it.
+    /// What belongs to it lies in this box. A patch has a surface although nothing is inside it. (The box of an
+    /// unbounded surface says nothing where that of the inside is known.)
     fn reach(&self) -> Aabb {
-        self.inside.union(&self.surface)
+        if self.surface.is_finite() || self.inside.is_empty() {
+            self.inside.union(&self.surface)
+        } else {
+            self.inside
+        }
     }
 }
 
