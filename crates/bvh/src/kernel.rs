@@ -4,13 +4,18 @@
 use raggio_math::Ray;
 
 use crate::node::{Node, WIDTH};
-use crate::round::{down, up};
 
-/// Makes up for the three roundings in `(side - origin) * inverse`.
-const SLACK: f32 = 1.000_000_5;
+/// Makes up for the roundings of `inverse` and of `(side - origin) * inverse` at both ends.
+const SLACK: f32 = 1.000_001;
 
 /// Inverse directions are kept finite, so that no product of zero and infinity can arise.
-const MAX_INVERSE: f64 = 1e37;
+const MAX_INVERSE: f32 = 1e37;
+
+/// How far the origin is moved each way, as a share of itself: four units in the last place.
+const ORIGIN_REACH: f32 = 1.0 / (1 << 22) as f32;
+
+/// How far it is moved at least, so that a ray along a side at 0 stays within for any distance.
+const LEAST_REACH: f32 = 1e-28;
 
 /// Origins and directions beyond this overflow single precision.
 const FAR: f64 = 1e37;
@@ -35,9 +40,10 @@ impl Slab {
     /// Prepares a ray.
     #[inline]
     pub fn new(ray: &Ray) -> Self {
-        let reach = ray.origin.abs().max_element().max(ray.dir.abs().max_element());
+        let within = |v: raggio_math::Vec3| v.abs().cmplt(raggio_math::Vec3::splat(FAR)).all();
         let mut slab = Slab {
-            finite: reach < FAR && !ray.origin.is_nan() && !ray.dir.is_nan(),
+            // No comparison holds for what is not a number.
+            finite: within(ray.origin) && within(ray.dir),
             origin_near: [0.0; 3],
             origin_far: [0.0; 3],
             inverse: [0.0; 3],
@@ -45,16 +51,16 @@ impl Slab {
             far: [3, 4, 5],
         };
         for k in 0..3 {
-            let (lo, hi) = (down(ray.origin[k]).next_down(), up(ray.origin[k]).next_up());
             let backwards = ray.dir[k] < 0.0;
-            slab.inverse[k] = (1.0 / ray.dir[k]).clamp(-MAX_INVERSE, MAX_INVERSE) as f32;
-            (slab.origin_near[k], slab.origin_far[k]) = if backwards { (lo, hi) } else { (hi, lo) };
-            if backwards {
-                (slab.near[k], slab.far[k]) = (k + 3, k);
-            } else if slab.inverse[k] < 0.0 {
-                // The direction was -0.
-                slab.inverse[k] = -slab.inverse[k];
-            }
+            let inverse = (1.0 / ray.dir[k] as f32).abs().min(MAX_INVERSE);
+            slab.inverse[k] = if backwards { -inverse } else { inverse };
+            // More than the rounding to single precision may have done.
+            let origin = ray.origin[k] as f32;
+            let reach = origin.abs() * ORIGIN_REACH + LEAST_REACH;
+            let reach = if backwards { -reach } else { reach };
+            (slab.origin_near[k], slab.origin_far[k]) = (origin + reach, origin - reach);
+            let side = 3 * usize::from(backwards);
+            (slab.near[k], slab.far[k]) = (k + side, k + 3 - side);
         }
         slab
     }

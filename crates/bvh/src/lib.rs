@@ -13,10 +13,12 @@ mod kernel;
 pub mod mesh;
 mod node;
 mod round;
+mod row;
 mod traverse;
 mod triangles;
 
 pub use build::Built;
 pub use kernel::Slab;
+pub use row::{BoxRow, Touched};
 pub use traverse::Bvh;
 pub use triangles::{TriangleHit, Triangles};

@@ -17,26 +17,55 @@ pub(crate) struct Cuboid {
     max: Vec3,
 }
 
-/// One end of the ray's way through the box.
-struct End {
-    t: f64,
-    axis: usize,
+/// Where a ray enters and leaves the slab of each axis, and the box.
+struct Way {
+    near: [f64; 3],
+    far: [f64; 3],
+    entry: f64,
+    exit: f64,
 }
 
-impl End {
-    /// Takes the slab's distance where it is later than what is known; at edges the axis along which the ray runs
-    /// faster wins.
+impl Way {
+    /// The axis whose slab makes the end at `t`; at edges the one along which the ray runs faster.
     #[inline]
-    fn take(&mut self, later: f64, t: f64, axis: usize, ray: &Ray) {
-        let ahead = (t - self.t) * later;
-        let faster = || ray.dir[axis].abs() > ray.dir[self.axis].abs();
-        if ahead > EDGE || (ahead > -EDGE && faster()) || self.t.is_infinite() {
-            self.axis = axis;
+    fn axis(ends: &[f64; 3], t: f64, ray: &Ray) -> usize {
+        let mut axis = 3;
+        for k in 0..3 {
+            let here = (ends[k] - t).abs() <= EDGE;
+            if here && (axis == 3 || ray.dir[k].abs() > ray.dir[axis].abs()) {
+                axis = k;
+            }
         }
-        if ahead > 0.0 {
-            self.t = t;
-        }
+        axis.min(2)
     }
+
+    /// The ray enters by the lower face where it runs upwards.
+    #[inline]
+    fn entry(&self, ray: &Ray) -> LocalHit {
+        let axis = Way::axis(&self.near, self.entry, ray);
+        LocalHit { part: face(axis, ray.dir[axis] < 0.0), ..LocalHit::at(self.entry) }
+    }
+
+    #[inline]
+    fn exit(&self, ray: &Ray) -> LocalHit {
+        let axis = Way::axis(&self.far, self.exit, ray);
+        LocalHit { part: face(axis, ray.dir[axis] >= 0.0), ..LocalHit::at(self.exit) }
+    }
+}
+
+#[inline]
+fn face(axis: usize, upper: bool) -> u32 {
+    (2 * axis + usize::from(upper)) as u32
+}
+
+#[inline]
+fn least(a: f64, b: f64) -> f64 {
+    if b < a { b } else { a }
+}
+
+#[inline]
+fn most(a: f64, b: f64) -> f64 {
+    if b > a { b } else { a }
 }
 
 impl Cuboid {
@@ -44,11 +73,10 @@ impl Cuboid {
         Cuboid { min, max }
     }
 
-    /// Entry and exit.
+    /// The ray's way through the box.
     #[inline]
-    fn ends(&self, ray: &Ray) -> Option<[LocalHit; 2]> {
-        let mut entry = End { t: f64::NEG_INFINITY, axis: 0 };
-        let mut exit = End { t: f64::INFINITY, axis: 0 };
+    fn way(&self, ray: &Ray) -> Option<Way> {
+        let (mut near, mut far) = ([f64::NEG_INFINITY; 3], [f64::INFINITY; 3]);
         for axis in 0..3 {
             let (o, d) = (ray.origin[axis], ray.dir[axis]);
             if d == 0.0 {
@@ -58,29 +86,24 @@ impl Cuboid {
                 continue;
             }
             let (a, b) = ((self.min[axis] - o) / d, (self.max[axis] - o) / d);
-            entry.take(1.0, a.min(b), axis, ray);
-            exit.take(-1.0, a.max(b), axis, ray);
+            (near[axis], far[axis]) = (least(a, b), most(a, b));
         }
-        if entry.t > exit.t {
-            return None;
-        }
-        // The ray enters by the lower face where it runs upwards.
-        let face = |axis: usize, upper: bool| (2 * axis + usize::from(upper)) as u32;
-        let entry_face = face(entry.axis, ray.dir[entry.axis] < 0.0);
-        let exit_face = face(exit.axis, ray.dir[exit.axis] >= 0.0);
-        Some([
-            LocalHit { part: entry_face, ..LocalHit::at(entry.t) },
-            LocalHit { part: exit_face, ..LocalHit::at(exit.t) },
-        ])
+        let entry = most(most(near[0], near[1]), near[2]);
+        let exit = least(least(far[0], far[1]), far[2]);
+        (entry <= exit).then_some(Way { near, far, entry, exit })
     }
 
     /// Entry and exit, as far as they are in the range.
     #[inline]
     pub(crate) fn few(&self, ray: &Ray, range: (f64, f64), out: &mut Few) {
         let range = beyond(range, LEAST);
-        if let Some([entry, exit]) = self.ends(ray) {
-            out.push(entry, range);
-            out.push(exit, range);
+        if let Some(way) = self.way(ray) {
+            if way.entry > range.0 && way.entry < range.1 {
+                out.push(way.entry(ray), range);
+            }
+            if way.exit > range.0 && way.exit < range.1 {
+                out.push(way.exit(ray), range);
+            }
         }
     }
 }
@@ -99,10 +122,12 @@ impl Surface for Cuboid {
     #[inline]
     fn closest(&self, ray: &Ray, range: (f64, f64)) -> Option<LocalHit> {
         let (lo, hi) = beyond(range, LEAST);
-        let [entry, exit] = self.ends(ray)?;
+        let way = self.way(ray)?;
         // A flat box shows its far face.
-        let hit = if entry.t > lo && entry.t < exit.t { entry } else { exit };
-        (hit.t > lo && hit.t < hi).then_some(hit)
+        if way.entry > lo && way.entry < way.exit {
+            return (way.entry < hi).then(|| way.entry(ray));
+        }
+        (way.exit > lo && way.exit < hi).then(|| way.exit(ray))
     }
 
     fn inside(&self, p: Vec3) -> bool {
