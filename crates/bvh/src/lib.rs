@@ -12,6 +12,7 @@ mod build;
 mod kernel;
 pub mod mesh;
 mod node;
+mod region;
 mod round;
 mod row;
 mod traverse;
@@ -19,6 +20,7 @@ mod triangles;
 
 pub use build::Built;
 pub use kernel::Slab;
+pub use region::Region;
 pub use row::{BoxRow, Touched};
 pub use traverse::Bvh;
 pub use triangles::{TriangleHit, Triangles};

@@ -11,7 +11,7 @@ use crate::round::{down, up};
 
 /// A row of boxes, known by their places in it. Boxes may be empty, and infinite on any side.
 pub struct BoxRow {
-    node: Node,
+    pub(crate) node: Node,
     /// Has the processor the wide kernel?
     simd: bool,
 }

@@ -1,7 +1,7 @@
 //! Members of a group by their boxes: a short list, or a tree for the bounded ones and a list for the others.
 use std::sync::Arc;
 
-use raggio_bvh::{BoxRow, Built, Bvh};
+use raggio_bvh::{BoxRow, Built, Bvh, Region};
 use raggio_math::{Aabb, Vec3};
 
 use crate::probe::Probe;
@@ -107,6 +107,22 @@ impl Index {
                     }
                 }
                 bvh.closest_prepared(&probe.slab, (range.0, far), visit);
+            }
+        }
+    }
+
+    /// Visits the members that may reach into a region, each with a box around it, until `visit` says that it has seen
+    /// enough.
+    pub(crate) fn within(&self, region: &Region, mut visit: impl FnMut(u32, &Aabb) -> bool) {
+        match self {
+            Index::Few(row) => {
+                let mut enough = false;
+                row.within(region, |member, b| enough = enough || visit(member, b));
+            }
+            Index::Many { bvh, listed } => {
+                if !listed.iter().any(|&member| visit(member, &Aabb::INFINITE)) {
+                    bvh.within(region, visit);
+                }
             }
         }
     }

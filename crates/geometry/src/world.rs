@@ -9,6 +9,7 @@ use smallvec::SmallVec;
 use crate::flatten::{Flat, flatten};
 use crate::index::ENOUGH;
 use crate::probe::Probe;
+use crate::shaft::Standing;
 use crate::texturing::{Parts, Texturing};
 use crate::tree::{Group, Node, NodeRef, Scratch, Tree};
 
@@ -176,9 +177,9 @@ pub struct Geometry {
     pub interiors: Vec<InteriorInfo>,
     /// Lights found in the tree, global ones and those of groups, in the order of the scene.
     pub lights: Vec<PlacedLight>,
-    tree: Tree,
+    pub(crate) tree: Tree,
     /// The outermost union.
-    world: Group,
+    pub(crate) world: Group,
     bounds: Aabb,
     parts: Parts,
 }
@@ -233,13 +234,14 @@ impl Geometry {
     }
 
     /// Like [`Geometry::closest`], but any hit that `stops` says yes to ends the search: the answer is the nearest hit,
-    /// or one that stops. For shadow rays. `guess` remembers what stopped the last ray that was asked with it and is
-    /// tried first; keep one for each light.
+    /// or one that stops. For shadow rays. Only what is `standing` in the way is asked. `guess` remembers what stopped
+    /// the last ray that was asked with it and is tried first; keep one for each light.
     pub fn blocker(
         &self,
         ray: &Ray,
         range: (f64, f64),
         class: RayClass,
+        standing: &Standing,
         guess: &mut BlockerGuess,
         stops: impl Fn(&Hit) -> bool,
     ) -> Option<Hit> {
@@ -247,7 +249,11 @@ impl Geometry {
         let probe = Probe::new(ray);
         let mut scratch = SCRATCH.take();
         let mut best: Option<Hit> = None;
-        let tried = guess.member.filter(|&m| (m as usize) < self.world.members.len());
+        let stands = |m: &u32| match standing {
+            Standing::Anything => (*m as usize) < self.world.members.len(),
+            Standing::Listed(list) => list.holds(*m),
+        };
+        let tried = guess.member.filter(stands);
         let mut ask = |index: u32, far: f64| {
             let member = &self.world.members[index as usize];
             if member.skip & class.bit() != 0 {
@@ -262,9 +268,16 @@ impl Geometry {
             guess.member = Some(index);
             Some(ENOUGH)
         };
-        let far = tried.and_then(|member| ask(member, range.1)).unwrap_or(range.1);
-        if far >= 0.0 {
-            self.world.surfaces.closest(&probe, (range.0, far), ask);
+        let mut far = tried.and_then(|member| ask(member, range.1)).unwrap_or(range.1);
+        match standing {
+            _ if far < 0.0 => {}
+            Standing::Anything => self.world.surfaces.closest(&probe, (range.0, far), ask),
+            Standing::Listed(list) => {
+                let mut touched = list.boxes.touched(&probe.slab, (range.0, far));
+                while let Some(place) = touched.next(far) {
+                    far = ask(list.member(place), far).unwrap_or(far);
+                }
+            }
         }
         SCRATCH.set(scratch);
         best

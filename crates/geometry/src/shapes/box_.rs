@@ -1,7 +1,7 @@
 //! The box.
 use raggio_math::{Aabb, Ray, Vec2, Vec3};
 
-use super::{Few, beyond};
+use super::{Few, apart, beyond, clearly_beyond};
 use crate::{LocalHit, Surface};
 
 /// The least distance a box reports.
@@ -71,6 +71,15 @@ fn most(a: f64, b: f64) -> f64 {
 impl Cuboid {
     pub(crate) fn new(min: Vec3, max: Vec3) -> Self {
         Cuboid { min, max }
+    }
+
+    /// Are all points beyond one side, or inside?
+    pub(crate) fn misses(&self, hull: &[Vec3; 8]) -> bool {
+        let around = Aabb::around(*hull);
+        let within = |k: usize| {
+            clearly_beyond(around.min[k], self.min[k]) && clearly_beyond(self.max[k], around.max[k])
+        };
+        apart(&self.bounds(), hull) || (0..3).all(within)
     }
 
     /// The ray's way through the box.

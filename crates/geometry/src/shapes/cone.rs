@@ -1,7 +1,7 @@
 //! The cone, and the cylinder as the cone of equal radii.
 use raggio_math::{Aabb, EPS, Ray, Vec3};
 
-use super::{Few, beyond};
+use super::{Few, beyond, clearly_beyond, start_along};
 use crate::{LocalHit, Surface};
 
 /// The least distance a cone reports.
@@ -44,6 +44,13 @@ impl Cone {
 
     fn widest(&self) -> f64 {
         self.base_radius.abs().max(self.cap_radius.abs())
+    }
+
+    /// Are all points beyond a plane along the axis that the widest part stays behind?
+    pub(crate) fn misses(&self, hull: &[Vec3; 8]) -> bool {
+        let (_, offset) = self.split(hull[0] - self.base);
+        let Some(direction) = offset.try_normalize() else { return false };
+        clearly_beyond(start_along(hull, direction), self.widest() + self.base.dot(direction))
     }
 
     /// Height over the base, and the offset from the axis.

@@ -36,6 +36,7 @@ mod triangle;
 use raggio_math::{Aabb, Affine, Ray, Vec2, Vec3};
 use raggio_scene::Shape;
 
+use crate::index::padded;
 use crate::texturing::PartUses;
 use crate::{BuildError, LocalHit, Surface};
 
@@ -274,6 +275,17 @@ impl ShapeKind {
         }
     }
 
+    /// Is it plain that the surface does not reach into the hull of some points?
+    pub(crate) fn misses(&self, hull: &[Vec3; 8]) -> bool {
+        match self {
+            ShapeKind::Plane(s) => s.misses(hull),
+            ShapeKind::Sphere(s) => s.misses(hull),
+            ShapeKind::Box(s) => s.misses(hull),
+            ShapeKind::Cone(s) => s.misses(hull) || apart(&s.bounds(), hull),
+            other => apart(&other.bounds(), hull),
+        }
+    }
+
     /// The textures at a point of a surface whose parts have textures of their own: numbers of the scene's data and
     /// their shares. Nothing where the object's own texture counts.
     pub(crate) fn part_uses(&self, p: Vec3, hit: &LocalHit, out: &mut PartUses) {
@@ -283,6 +295,22 @@ impl ShapeKind {
             _ => {}
         }
     }
+}
+
+/// Do all points lie beyond one side of a box?
+fn apart(b: &Aabb, hull: &[Vec3; 8]) -> bool {
+    let (b, around) = (padded(b), Aabb::around(*hull));
+    around.min.cmpgt(b.max).any() || around.max.cmplt(b.min).any()
+}
+
+/// Where on the way along a direction the points begin.
+fn start_along(hull: &[Vec3; 8], direction: Vec3) -> f64 {
+    hull.iter().fold(f64::INFINITY, |least, p| least.min(p.dot(direction)))
+}
+
+/// Is `a` greater than `b` by more than rounding?
+fn clearly_beyond(a: f64, b: f64) -> bool {
+    a - b > 1e-9 * (1.0 + a.abs() + b.abs())
 }
 
 /// The part of `range` that a shape may report: beyond its own least distance.

@@ -1,7 +1,7 @@
 //! The sphere, and its form in the world for uniformly scaled placements.
 use raggio_math::{Aabb, EPS, Ray, Vec2, Vec3};
 
-use super::{Few, beyond, turn};
+use super::{Few, beyond, clearly_beyond, start_along, turn};
 use crate::{LocalHit, Surface};
 
 /// The least distance a sphere reports.
@@ -43,6 +43,15 @@ impl Sphere {
             return Some((middle - half, middle + half));
         }
         None
+    }
+
+    /// Are all points beyond a tangent plane, or inside?
+    pub(crate) fn misses(&self, hull: &[Vec3; 8]) -> bool {
+        let radius = self.radius.abs();
+        let Some(direction) = (hull[0] - self.center).try_normalize() else { return false };
+        let within = |p: &Vec3| clearly_beyond(radius, (*p - self.center).length());
+        clearly_beyond(start_along(hull, direction), radius + self.center.dot(direction))
+            || hull.iter().all(within)
     }
 
     /// Both hits, as far as they are in the range.
