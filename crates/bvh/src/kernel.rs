@@ -68,11 +68,18 @@ impl Slab {
 
 /// How to test eight boxes at once.
 pub(crate) trait Kernel {
-    /// Bits of the boxes that the ray touches between `t0` and `t1`, and where it enters each.
+    /// Bits of the boxes that the ray touches between `t0` and `t1`, and where it enters and leaves each.
     ///
     /// # Safety
     /// The processor must have what the kernel uses.
-    unsafe fn test(node: &Node, slab: &Slab, t0: f32, t1: f32, entry: &mut [f32; WIDTH]) -> u32;
+    unsafe fn test(
+        node: &Node,
+        slab: &Slab,
+        t0: f32,
+        t1: f32,
+        entry: &mut [f32; WIDTH],
+        exit: &mut [f32; WIDTH],
+    ) -> u32;
 }
 
 /// Plain Rust; works everywhere.
@@ -80,9 +87,16 @@ pub(crate) struct Scalar;
 
 impl Kernel for Scalar {
     #[inline(always)]
-    unsafe fn test(node: &Node, slab: &Slab, t0: f32, t1: f32, entry: &mut [f32; WIDTH]) -> u32 {
+    unsafe fn test(
+        node: &Node,
+        slab: &Slab,
+        t0: f32,
+        t1: f32,
+        entry: &mut [f32; WIDTH],
+        exit: &mut [f32; WIDTH],
+    ) -> u32 {
         let mut mask = 0;
-        for (i, entry) in entry.iter_mut().enumerate() {
+        for i in 0..WIDTH {
             let (mut near, mut far) = (t0, t1);
             for k in 0..3 {
                 let a = (node.sides[slab.near[k]][i] - slab.origin_near[k]) * slab.inverse[k];
@@ -90,7 +104,7 @@ impl Kernel for Scalar {
                 near = if a > near { a } else { near };
                 far = if b < far { b } else { far };
             }
-            *entry = near;
+            (entry[i], exit[i]) = (near, far);
             mask |= u32::from(near <= far) << i;
         }
         mask
@@ -105,7 +119,14 @@ pub(crate) struct Avx2;
 impl Kernel for Avx2 {
     #[inline]
     #[target_feature(enable = "avx2")]
-    unsafe fn test(node: &Node, slab: &Slab, t0: f32, t1: f32, entry: &mut [f32; WIDTH]) -> u32 {
+    unsafe fn test(
+        node: &Node,
+        slab: &Slab,
+        t0: f32,
+        t1: f32,
+        entry: &mut [f32; WIDTH],
+        exit: &mut [f32; WIDTH],
+    ) -> u32 {
         use std::arch::x86_64::*;
         let (mut near, mut far) = (_mm256_set1_ps(t0), _mm256_set1_ps(t1));
         let slack = _mm256_set1_ps(SLACK);
@@ -120,8 +141,11 @@ impl Kernel for Avx2 {
             near = _mm256_max_ps(a, near);
             far = _mm256_min_ps(_mm256_mul_ps(b, slack), far);
         }
-        // SAFETY: `entry` has room for eight floats.
-        unsafe { _mm256_storeu_ps(entry.as_mut_ptr(), near) };
+        // SAFETY: both have room for eight floats.
+        unsafe {
+            _mm256_storeu_ps(entry.as_mut_ptr(), near);
+            _mm256_storeu_ps(exit.as_mut_ptr(), far);
+        }
         _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LE_OQ>(near, far)) as u32
     }
 }

@@ -20,7 +20,19 @@ pub struct BoxRow {
 pub struct Touched {
     mask: u32,
     near: [f32; WIDTH],
+    far: [f32; WIDTH],
 }
+
+/// A box that a ray touches.
+pub struct Touch {
+    /// Its place in the row.
+    pub place: usize,
+    /// The part of the ray's range that may lie in it.
+    pub range: (f64, f64),
+}
+
+/// Entries are not rounded down; this share makes up for it.
+const SLACK: f64 = 1e-6;
 
 impl BoxRow {
     /// The most boxes in a row.
@@ -42,26 +54,28 @@ impl BoxRow {
     /// or undefined part touch nothing.
     #[inline]
     pub fn touched(&self, slab: &Slab, range: (f64, f64)) -> Touched {
-        let mut touched = Touched { mask: 0, near: [0.0; WIDTH] };
+        let mut touched = Touched { mask: 0, near: [0.0; WIDTH], far: [0.0; WIDTH] };
         if slab.finite {
             let (t0, t1) = (down(range.0.max(0.0)), up(range.1));
             #[cfg(target_arch = "x86_64")]
             if self.simd {
                 // SAFETY: `simd` says that the processor has AVX2.
-                touched.mask = unsafe { Avx2::test(&self.node, slab, t0, t1, &mut touched.near) };
+                touched.mask =
+                    unsafe { Avx2::test(&self.node, slab, t0, t1, &mut touched.near, &mut touched.far) };
                 return touched;
             }
             // SAFETY: the scalar kernel needs nothing.
-            touched.mask = unsafe { Scalar::test(&self.node, slab, t0, t1, &mut touched.near) };
+            touched.mask =
+                unsafe { Scalar::test(&self.node, slab, t0, t1, &mut touched.near, &mut touched.far) };
         }
         touched
     }
 }
 
 impl Touched {
-    /// The place of the box that the ray enters first of those left, if it does so before `far`.
+    /// The box that the ray enters first of those left, if it does so before `far`.
     #[inline]
-    pub fn next(&mut self, far: f64) -> Option<usize> {
+    pub fn next(&mut self, far: f64) -> Option<Touch> {
         let mut rest = self.mask;
         if rest == 0 {
             return None;
@@ -76,7 +90,8 @@ impl Touched {
             }
         }
         self.mask &= !(1 << first);
-        (f64::from(self.near[first]) <= far).then_some(first)
+        let range = (f64::from(self.near[first]) * (1.0 - SLACK), far.min(f64::from(self.far[first])));
+        (range.0 <= far).then_some(Touch { place: first, range })
     }
 
     /// The places of all boxes touched, in their order in the row.
@@ -107,7 +122,7 @@ mod tests {
             row.simd = simd;
             let order = |far: f64| {
                 let mut touched = row.touched(&Slab::new(&ray), (0.5, 10.0));
-                std::iter::from_fn(|| touched.next(far)).collect::<Vec<_>>()
+                std::iter::from_fn(|| touched.next(far)).map(|t| t.place).collect::<Vec<_>>()
             };
             assert_eq!(order(10.0), [4, 2, 0]);
             assert_eq!(order(3.0), [4, 2]);

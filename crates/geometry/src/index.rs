@@ -83,30 +83,34 @@ pub(crate) fn indices(
 }
 
 impl Index {
-    /// Visits members on the ray, near ones first as far as boxes tell; see [`Bvh::closest`].
+    /// Visits members on the ray, near ones first as far as boxes tell; see [`Bvh::closest`]. The visitor is told the
+    /// member, the distance beyond which nothing interests any more, and between where its box lies on the ray.
     #[inline]
     pub(crate) fn closest(
         &self,
         probe: &Probe,
         range: (f64, f64),
-        mut visit: impl FnMut(u32, f64) -> Option<f64>,
+        mut visit: impl FnMut(u32, f64, (f64, f64)) -> Option<f64>,
     ) {
         let mut far = range.1;
         match self {
             Index::Few(row) => {
                 let mut touched = row.touched(&probe.slab, range);
-                while let Some(member) = touched.next(far) {
-                    far = visit(member as u32, far).unwrap_or(far);
+                while let Some(touch) = touched.next(far) {
+                    let within = (touch.range.0.max(range.0), touch.range.1);
+                    far = visit(touch.place as u32, far, within).unwrap_or(far);
                 }
             }
             Index::Many { bvh, listed } => {
                 for &member in listed {
-                    far = visit(member, far).unwrap_or(far);
+                    far = visit(member, far, (range.0, far)).unwrap_or(far);
                     if far < 0.0 {
                         return;
                     }
                 }
-                bvh.closest_prepared(&probe.slab, (range.0, far), visit);
+                bvh.closest_prepared(&probe.slab, (range.0, far), |member, far| {
+                    visit(member, far, (range.0, far))
+                });
             }
         }
     }

@@ -32,6 +32,11 @@ impl NodeRef {
     }
 
     #[inline]
+    pub(crate) fn is_leaf(self) -> bool {
+        self.0 & Self::GROUP == 0
+    }
+
+    #[inline]
     pub(crate) fn node(self) -> Node {
         match self.0 & Self::GROUP {
             0 => Node::Leaf(self.0),
@@ -127,12 +132,13 @@ impl Tree {
         }
         let all_count = group.all_count();
         let mut best: Option<Hit> = None;
-        group.surfaces.closest(probe, range, |index, far| {
+        group.surfaces.closest(probe, range, |index, far, within| {
             let member = &group.members[index as usize];
             if member.skip & class != 0 {
                 return None;
             }
-            let range = (range.0, far);
+            // A group with bounds may show more than its box holds.
+            let range = if member.node.is_leaf() { within } else { (range.0, far) };
             let hit = match all_count {
                 true => self.closest(member.node, probe, range, class, scratch, stops)?,
                 false => self.closest_that_counts(group, index, probe, range, class, scratch)?,

@@ -271,11 +271,13 @@ impl Geometry {
         let mut far = tried.and_then(|member| ask(member, range.1)).unwrap_or(range.1);
         match standing {
             _ if far < 0.0 => {}
-            Standing::Anything => self.world.surfaces.closest(&probe, (range.0, far), ask),
+            Standing::Anything => {
+                self.world.surfaces.closest(&probe, (range.0, far), |member, far, _| ask(member, far));
+            }
             Standing::Listed(list) => {
                 let mut touched = list.boxes.touched(&probe.slab, (range.0, far));
-                while let Some(place) = touched.next(far) {
-                    far = ask(list.member(place), far).unwrap_or(far);
+                while let Some(touch) = touched.next(far) {
+                    far = ask(list.member(touch.place), far).unwrap_or(far);
                 }
             }
         }

@@ -50,6 +50,15 @@ fn eval_with_slope(c: &[f64], x: f64) -> (f64, f64) {
     c.iter().rev().fold((0.0, 0.0), |(v, s), &k| (v * x + k, s * x + v))
 }
 
+/// Up to so many coefficients are used all, zero or not: loops of known length are unrolled.
+const UNROLLED: usize = 9;
+
+/// The coefficients that count of a polynomial of degree `n`.
+#[inline(always)]
+fn used<const N: usize>(c: &[f64; N], n: usize) -> &[f64] {
+    if N <= UNROLLED { c } else { &c[..=n] }
+}
+
 /// The real roots of `c[0] + c[1] t + c[2] t^2`, sorted, without cancellation; a double root once.
 #[inline]
 pub fn quadratic(c: [f64; 3]) -> Roots<3> {
@@ -111,7 +120,7 @@ pub fn visit_roots_in<const N: usize>(c: &[f64; N], lo: f64, hi: f64, visit: imp
         (lo.max(-bound), hi.min(bound))
     };
     if lo <= hi {
-        solve(c, n, (lo, eval(&c[..=n], lo)), (hi, eval(&c[..=n], hi)), visit);
+        solve(c, n, (lo, eval(used(c, n), lo)), (hi, eval(used(c, n), hi)), visit);
     }
 }
 
@@ -181,6 +190,21 @@ const BINOMIAL: [[f64; MAX_DEGREE + 1]; MAX_DEGREE + 1] = {
     table
 };
 
+/// `1 / C(n, k)` for short polynomials.
+const INVERSE_BINOMIAL: [[f64; UNROLLED]; UNROLLED] = {
+    let mut table = [[0.0; UNROLLED]; UNROLLED];
+    let mut n = 0;
+    while n < UNROLLED {
+        let mut k = 0;
+        while k <= n {
+            table[n][k] = 1.0 / BINOMIAL[n][k];
+            k += 1;
+        }
+        n += 1;
+    }
+    table
+};
+
 /// The `k`-th derivative divided by `k!`.
 #[inline]
 fn derivative<const N: usize>(c: &[f64; N], n: usize, k: usize) -> [f64; N] {
@@ -205,6 +229,16 @@ fn solve<const N: usize>(
     hi: (f64, f64),
     mut visit: impl FnMut(f64) -> bool,
 ) {
+    if (4..=UNROLLED).contains(&N) {
+        match sign_changes(c, lo, hi) {
+            0 => return,
+            1 if (lo.1 < 0.0) != (hi.1 < 0.0) => {
+                visit(refine(c, lo, hi, guess(lo, hi, false, false), ROOT_STEP));
+                return;
+            }
+            _ => {}
+        }
+    }
     let mut knots: Roots<N> = Roots::NONE;
     let mut add = |x: f64| {
         if lo.0 < x && x < hi.0 {
@@ -222,7 +256,7 @@ fn solve<const N: usize>(
     }
     for k in (1..n.saturating_sub(3)).rev() {
         let q = derivative(c, n, k);
-        let q = &q[..=n - k];
+        let q = used(&q, n - k);
         let mut next = Roots::NONE;
         let (first, last) = ((lo.0, eval(q, lo.0)), (hi.0, eval(q, hi.0)));
         crossings(q, &knots, first, last, KNOT_STEP, |x| {
@@ -231,7 +265,31 @@ fn solve<const N: usize>(
         });
         knots = next;
     }
-    crossings(&c[..=n], &knots, lo, hi, ROOT_STEP, &mut visit);
+    crossings(used(c, n), &knots, lo, hi, ROOT_STEP, &mut visit);
+}
+
+/// How often the sign changes along the Bernstein coefficients over an interval: at least as often as there are roots
+/// in it, and by an even number more (Descartes' rule of signs). The values at the ends are taken as given.
+#[inline]
+fn sign_changes<const N: usize>(c: &[f64; N], lo: (f64, f64), hi: (f64, f64)) -> u32 {
+    let mut b = *c;
+    for k in 0..N - 1 {
+        for j in (k..N - 1).rev() {
+            b[j] += lo.0 * b[j + 1];
+        }
+    }
+    let (width, mut power) = (hi.0 - lo.0, 1.0);
+    for k in 1..N {
+        power *= width;
+        b[k] *= power * INVERSE_BINOMIAL[N - 1][k];
+    }
+    for k in (1..N).rev() {
+        for j in k..N {
+            b[j] += b[j - 1];
+        }
+    }
+    (b[0], b[N - 1]) = (lo.1, hi.1);
+    (1..N).map(|k| u32::from((b[k] < 0.0) != (b[k - 1] < 0.0))).sum()
 }
 
 /// The roots of a cubic, sorted, well enough to tell where another polynomial turns: Newton's method from beyond the
@@ -307,6 +365,7 @@ fn guess(left: (f64, f64), right: (f64, f64), level_left: bool, level_right: boo
 }
 
 /// Newton's method kept inside a shrinking bracket.
+#[inline(always)]
 fn refine(c: &[f64], left: (f64, f64), right: (f64, f64), guess: f64, least_step: f64) -> f64 {
     let (mut lo, mut hi) = (left.0, right.0);
     let rising = left.1 < 0.0;

@@ -136,9 +136,7 @@ pub(crate) fn build(shape: &Shape) -> Result<ShapeKind, BuildError> {
         Shape::Polygon { loops } => ShapeKind::Polygon(Box::new(Polygon::new(loops))),
         Shape::Mesh(mesh) => ShapeKind::Mesh(Box::new(MeshShape::new(mesh))),
         Shape::Torus { major, minor } => ShapeKind::Torus(torus::Torus::new(*major, *minor)),
-        Shape::Poly { degree, coefficients } => {
-            ShapeKind::Poly(poly::Poly::new(*degree, coefficients.clone()))
-        }
+        Shape::Poly { degree, coefficients } => ShapeKind::Poly(poly::Poly::new(*degree, coefficients)),
         Shape::Superellipsoid { e, n } => {
             ShapeKind::Superellipsoid(superellipsoid::Superellipsoid::new(*e, *n))
         }

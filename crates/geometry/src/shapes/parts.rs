@@ -46,8 +46,8 @@ impl Parts {
         match &self.search {
             Search::Few(row, _) => {
                 let (mut touched, mut far) = (row.touched(&slab, range), range.1);
-                while let Some(part) = touched.next(far) {
-                    far = each(part);
+                while let Some(touch) = touched.next(far) {
+                    far = each(touch.place);
                 }
             }
             Search::Many(bvh) => {
