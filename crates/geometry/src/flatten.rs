@@ -336,17 +336,18 @@ fn group(op: Op, built: &[Built], leaves: &Leaves, clips: Vec<NodeRef>, bounds: 
     let cost = |m: &Built| leaves.cost(m.member.node);
     // Costly members have a box of their own even where there are a great many.
     let cheap = built.len() > 1024 && built.iter().all(|m| cost(m) == 0);
-    let (surfaces, deciders) = indices(&surfaces, &decisions, deciders(built, cost), 1 + usize::from(cheap));
+    let (surfaces, deciders) =
+        indices(&surfaces, &decisions, deciders(built, leaves), 1 + usize::from(cheap));
     Group { op, members: built.iter().map(|b| b.member).collect(), surfaces, deciders, clips, bounds }
 }
 
 /// What boxes tell about each member; those that are cheap to ask first.
-fn deciders(built: &[Built], cost: impl Fn(&Built) -> u32) -> Vec<Decider> {
+fn deciders(built: &[Built], leaves: &Leaves) -> Vec<Decider> {
     let mut order: Vec<u32> = (0..built.len() as u32).collect();
-    order.sort_by_key(|&i| cost(&built[i as usize]));
-    let known = |member: u32| {
-        let Built { inside, outside, .. } = built[member as usize];
-        Decider { member, inside, outside }
+    order.sort_by_key(|&i| leaves.cost(built[i as usize].member.node));
+    let known = |index: u32| {
+        let Built { member, inside, outside, .. } = built[index as usize];
+        Decider { member: index, quick: leaves.is_quick(member.node), inside, outside }
     };
     order.into_iter().map(known).collect()
 }

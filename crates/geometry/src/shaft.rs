@@ -108,11 +108,14 @@ impl Tree {
 impl Leaves {
     fn misses(&self, leaf: u32, corners: &Corners) -> bool {
         let moved = |to: &Affine| corners.map(|p| to.transform_point3(p));
-        match self.leaves[leaf as usize].prim {
-            Prim::Sphere(s) => self.spheres[s as usize].sphere.misses(corners),
-            Prim::World(s) => self.shapes[s as usize].misses(corners),
+        match &self.leaves[leaf as usize].prim {
+            Prim::Sphere { sphere, .. } => sphere.misses(corners),
+            Prim::Plane(plane) => plane.misses(corners),
+            Prim::Box(cuboid) => cuboid.misses(corners),
+            Prim::PlacedBox { cuboid, place } => cuboid.misses(&moved(&self.places[*place as usize])),
+            Prim::World(s) => self.shapes[*s as usize].misses(corners),
             Prim::Placed { shape, place } => {
-                self.shapes[shape as usize].misses(&moved(&self.places[place as usize]))
+                self.shapes[*shape as usize].misses(&moved(&self.places[*place as usize]))
             }
         }
     }

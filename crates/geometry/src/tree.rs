@@ -160,7 +160,7 @@ impl Tree {
         scratch: &mut Scratch,
     ) -> Option<Hit> {
         let node = group.members[member as usize].node;
-        let counts = |hit: &Hit| self.counts(group, member, probe.ray.at(hit.t));
+        let counts = |t: f64| self.counts(group, member, probe.ray.at(t));
         if let Node::Leaf(leaf) = node.node()
             && let Some(found) = self.leaves.closest_of_few(leaf, &probe.ray, range, counts)
         {
@@ -170,7 +170,7 @@ impl Tree {
         self.hits(node, probe, range, class, scratch);
         let found = &mut scratch.hits[start..];
         found.sort_unstable_by(|a, b| a.t.total_cmp(&b.t));
-        let best = found.iter().find(|hit| counts(hit)).copied();
+        let best = found.iter().find(|hit| counts(hit.t)).copied();
         scratch.hits.truncate(start);
         best
     }

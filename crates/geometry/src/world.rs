@@ -300,7 +300,7 @@ impl Geometry {
     pub fn interaction(&self, ray: &Ray, hit: &Hit) -> Interaction {
         let leaves = &self.tree.leaves;
         let p = ray.at(hit.t);
-        let local = leaves.local_point(ray, hit);
+        let local = leaves.local_point(hit.leaf, p);
         let n = leaves.normal(hit, local);
         let from_inside = n.dot(ray.dir) > 0.0;
         let texturing = Texturing { tree: &self.tree, materials: &self.materials, parts: &self.parts };

@@ -39,15 +39,23 @@ impl<const N: usize> std::ops::Deref for Roots<N> {
 }
 
 /// The value at `x`.
-#[inline]
+#[inline(always)]
 pub fn eval(c: &[f64], x: f64) -> f64 {
-    c.iter().rev().fold(0.0, |v, &k| v * x + k)
+    let mut v = 0.0;
+    for k in (0..c.len()).rev() {
+        v = v * x + c[k];
+    }
+    v
 }
 
 /// The value and the slope at `x`.
-#[inline]
+#[inline(always)]
 fn eval_with_slope(c: &[f64], x: f64) -> (f64, f64) {
-    c.iter().rev().fold((0.0, 0.0), |(v, s), &k| (v * x + k, s * x + v))
+    let (mut v, mut s) = (0.0, 0.0);
+    for k in (0..c.len()).rev() {
+        (v, s) = (v * x + c[k], s * x + v);
+    }
+    (v, s)
 }
 
 /// Up to so many coefficients are used all, zero or not: loops of known length are unrolled.
@@ -256,16 +264,15 @@ fn solve<const N: usize>(
     }
     for k in (1..n.saturating_sub(3)).rev() {
         let q = derivative(c, n, k);
-        let q = used(&q, n - k);
         let mut next = Roots::NONE;
-        let (first, last) = ((lo.0, eval(q, lo.0)), (hi.0, eval(q, hi.0)));
-        crossings(q, &knots, first, last, KNOT_STEP, |x| {
+        let at = |x: f64| (x, eval(used(&q, n - k), x));
+        crossings((&q, n - k), &knots, at(lo.0), at(hi.0), KNOT_STEP, |x| {
             next.push(x);
             true
         });
         knots = next;
     }
-    crossings(used(c, n), &knots, lo, hi, ROOT_STEP, &mut visit);
+    crossings((c, n), &knots, lo, hi, ROOT_STEP, &mut visit);
 }
 
 /// How often the sign changes along the Bernstein coefficients over an interval: at least as often as there are roots
@@ -330,10 +337,10 @@ fn cubic_knots(c: [f64; 4]) -> Roots<3> {
     roots
 }
 
-/// One root in each gap between neighbouring knots at which the signs differ.
+/// One root in each gap between neighbouring knots at which the signs differ, of a polynomial with its degree.
 #[inline]
 fn crossings<const N: usize>(
-    c: &[f64],
+    (c, n): (&[f64; N], usize),
     knots: &Roots<N>,
     lo: (f64, f64),
     hi: (f64, f64),
@@ -342,10 +349,10 @@ fn crossings<const N: usize>(
 ) {
     let mut left = lo;
     for i in 0..=knots.len {
-        let right = if i < knots.len { (knots.values[i], eval(c, knots.values[i])) } else { hi };
+        let right = if i < knots.len { (knots.values[i], eval(used(c, n), knots.values[i])) } else { hi };
         if (left.1 < 0.0) != (right.1 < 0.0) {
             let guess = guess(left, right, i > 0, i < knots.len);
-            if !visit(refine(c, left, right, guess, least_step)) {
+            if !visit(refine(used(c, n), left, right, guess, least_step)) {
                 return;
             }
         }
@@ -364,7 +371,7 @@ fn guess(left: (f64, f64), right: (f64, f64), level_left: bool, level_right: boo
     left.0 + (right.0 - left.0) * share.clamp(0.02, 0.98)
 }
 
-/// Newton's method kept inside a shrinking bracket.
+/// Newton's method kept inside a shrinking bracket. Inlined for the sake of polynomials of known length.
 #[inline(always)]
 fn refine(c: &[f64], left: (f64, f64), right: (f64, f64), guess: f64, least_step: f64) -> f64 {
     let (mut lo, mut hi) = (left.0, right.0);

@@ -41,15 +41,15 @@ impl Way {
 
     /// The ray enters by the lower face where it runs upwards.
     #[inline]
-    fn entry(&self, ray: &Ray) -> LocalHit {
+    fn entry_face(&self, ray: &Ray) -> u32 {
         let axis = Way::axis(&self.near, self.entry, ray);
-        LocalHit { part: face(axis, ray.dir[axis] < 0.0), ..LocalHit::at(self.entry) }
+        face(axis, ray.dir[axis] < 0.0)
     }
 
     #[inline]
-    fn exit(&self, ray: &Ray) -> LocalHit {
+    fn exit_face(&self, ray: &Ray) -> u32 {
         let axis = Way::axis(&self.far, self.exit, ray);
-        LocalHit { part: face(axis, ray.dir[axis] >= 0.0), ..LocalHit::at(self.exit) }
+        face(axis, ray.dir[axis] >= 0.0)
     }
 }
 
@@ -71,6 +71,11 @@ fn most(a: f64, b: f64) -> f64 {
 impl Cuboid {
     pub(crate) fn new(min: Vec3, max: Vec3) -> Self {
         Cuboid { min, max }
+    }
+
+    /// The same box stretched along the axes, then moved.
+    pub(crate) fn moved(&self, scale: Vec3, offset: Vec3) -> Self {
+        Cuboid { min: self.min * scale + offset, max: self.max * scale + offset }
     }
 
     /// Are all points beyond one side, or inside?
@@ -108,10 +113,10 @@ impl Cuboid {
         let range = beyond(range, LEAST);
         if let Some(way) = self.way(ray) {
             if way.entry > range.0 && way.entry < range.1 {
-                out.push(way.entry(ray), range);
+                out.push(way.entry, way.entry_face(ray), range);
             }
             if way.exit > range.0 && way.exit < range.1 {
-                out.push(way.exit(ray), range);
+                out.push(way.exit, way.exit_face(ray), range);
             }
         }
     }
@@ -125,7 +130,7 @@ impl Surface for Cuboid {
     fn hits(&self, ray: &Ray, range: (f64, f64), out: &mut Vec<LocalHit>) {
         let mut few = Few::default();
         self.few(ray, range, &mut few);
-        out.extend_from_slice(few.as_slice());
+        few.into_hits(out);
     }
 
     #[inline]
@@ -134,9 +139,11 @@ impl Surface for Cuboid {
         let way = self.way(ray)?;
         // A flat box shows its far face.
         if way.entry > lo && way.entry < way.exit {
-            return (way.entry < hi).then(|| way.entry(ray));
+            let hit = || LocalHit { part: way.entry_face(ray), ..LocalHit::at(way.entry) };
+            return (way.entry < hi).then(hit);
         }
-        (way.exit > lo && way.exit < hi).then(|| way.exit(ray))
+        let hit = || LocalHit { part: way.exit_face(ray), ..LocalHit::at(way.exit) };
+        (way.exit > lo && way.exit < hi).then(hit)
     }
 
     fn inside(&self, p: Vec3) -> bool {

@@ -59,8 +59,8 @@ impl Sphere {
     pub(crate) fn few(&self, ray: &Ray, range: (f64, f64), out: &mut Few) {
         let range = beyond(range, LEAST);
         if let Some((a, b)) = self.chord(ray) {
-            out.push(LocalHit::at(a), range);
-            out.push(LocalHit::at(b), range);
+            out.push(a, 0, range);
+            out.push(b, 0, range);
         }
     }
 }
@@ -73,7 +73,7 @@ impl Surface for Sphere {
     fn hits(&self, ray: &Ray, range: (f64, f64), out: &mut Vec<LocalHit>) {
         let mut few = Few::default();
         self.few(ray, range, &mut few);
-        out.extend_from_slice(few.as_slice());
+        few.into_hits(out);
     }
 
     #[inline]
