@@ -6,7 +6,7 @@ use raggio_math::Ray;
 use crate::node::{Node, WIDTH};
 
 /// Makes up for the roundings of `inverse` and of `(side - origin) * inverse` at both ends.
-const SLACK: f32 = 1.000_001;
+pub(crate) const SLACK: f32 = 1.000_001;
 
 /// Inverse directions are kept finite, so that no product of zero and infinity can arise.
 const MAX_INVERSE: f32 = 1e37;
@@ -25,13 +25,13 @@ const FAR: f64 = 1e37;
 #[derive(Clone, Copy, Debug)]
 pub struct Slab {
     /// Origin as used for the sides where the ray enters.
-    origin_near: [f32; 3],
+    pub(crate) origin_near: [f32; 3],
     /// Origin as used for the sides where it leaves.
-    origin_far: [f32; 3],
-    inverse: [f32; 3],
+    pub(crate) origin_far: [f32; 3],
+    pub(crate) inverse: [f32; 3],
     /// Which of a node's `sides` the ray enters by.
-    near: [usize; 3],
-    far: [usize; 3],
+    pub(crate) near: [usize; 3],
+    pub(crate) far: [usize; 3],
     /// Rays with an infinite or undefined part touch nothing.
     pub(crate) finite: bool,
 }
@@ -63,6 +63,20 @@ impl Slab {
             (slab.near[k], slab.far[k]) = (k + side, k + 3 - side);
         }
         slab
+    }
+
+    /// A ray that is in single precision already.
+    #[inline(always)]
+    pub(crate) fn exact(origin: [f32; 3], inverse: [f32; 3]) -> Self {
+        let side = |k: usize, far: bool| k + 3 * usize::from((inverse[k] < 0.0) != far);
+        Slab {
+            origin_near: origin,
+            origin_far: origin,
+            inverse,
+            near: [side(0, false), side(1, false), side(2, false)],
+            far: [side(0, true), side(1, true), side(2, true)],
+            finite: true,
+        }
     }
 }
 

@@ -16,11 +16,9 @@ mod region;
 mod round;
 mod row;
 mod traverse;
-mod triangles;
 
 pub use build::Built;
 pub use kernel::Slab;
 pub use region::Region;
 pub use row::{BoxRow, Touched};
 pub use traverse::Bvh;
-pub use triangles::{TriangleHit, Triangles};

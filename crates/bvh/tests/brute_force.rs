@@ -1,7 +1,8 @@
 //! The tree against asking every box and every triangle in turn.
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
-use raggio_bvh::{Bvh, Triangles};
+use raggio_bvh::Bvh;
+use raggio_bvh::mesh::MeshBvh;
 use raggio_math::{Aabb, Ray, Vec3};
 
 fn point(reach: f64) -> impl Strategy<Value = Vec3> {
@@ -97,19 +98,23 @@ proptest! {
             picks.iter().map(|&(a, b, c)| [(a % n) as u32, (b % n) as u32, (c % n) as u32]).collect();
         let vertices: Vec<[f32; 3]> = vertices.iter().map(|v| v.as_vec3().to_array()).collect();
         let ray = Ray::new(o, d);
-        let mesh = Triangles::new(vertices, faces.clone());
+        let mesh = MeshBvh::build(&vertices, &faces);
+        let corners = |f: u32| {
+            faces[f as usize].map(|i| Vec3::from_array(vertices[i as usize].map(f64::from)))
+        };
         let mut all = Vec::new();
         mesh.all(&ray, (0.0, 100.0), |h| all.push(h));
         for hit in &all {
-            let [a, b, c] = mesh.corners(hit.face);
+            let [a, b, c] = corners(hit.face);
             let p = a + (b - a) * hit.u + (c - a) * hit.v;
             prop_assert!((p - ray.at(hit.t)).length() < 1e-6, "the weights belong to the point");
         }
         let nearest = all.iter().map(|h| h.t).min_by(f64::total_cmp);
-        prop_assert_eq!(mesh.closest(&ray, (0.0, 100.0)).map(|h| h.t), nearest);
-        let expected = (0..faces.len() as u32).filter(|&f| plane_test(mesh.corners(f), &ray)).count();
+        prop_assert_eq!(mesh.nearest(&ray, (0.0, 100.0), |_| false).map(|h| h.t), nearest);
+        let expected = (0..faces.len() as u32).filter(|&f| plane_test(corners(f), &ray)).count();
+        prop_assert_eq!(mesh.nearest(&ray, (0.0, 100.0), |_| true).is_some(), nearest.is_some());
         // A ray within rounding of an edge may be judged either way.
-        let sure = (0..faces.len() as u32).all(|f| edge_distance(mesh.corners(f), &ray) > 1e-9);
+        let sure = (0..faces.len() as u32).all(|f| edge_distance(corners(f), &ray) > 1e-9);
         prop_assert!(!sure || all.len() == expected);
     }
 }
@@ -179,12 +184,12 @@ fn no_ray_slips_through_a_closed_mesh() {
         .collect();
     let faces =
         [[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4], [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5]].to_vec();
-    let mesh = Triangles::new(vertices, faces);
+    let mesh = MeshBvh::build(&vertices, &faces);
     for i in 0..=40 {
         for j in 0..=40 {
             let d = Vec3::new(f64::from(i) - 20.0, f64::from(j) - 20.0, 7.0).normalize();
             for ray in [Ray::new(Vec3::ZERO, d), Ray::new(Vec3::new(0.1, 0.2, 0.3), d)] {
-                assert!(mesh.closest(&ray, (0.0, 10.0)).is_some(), "{ray:?}");
+                assert!(mesh.nearest(&ray, (0.0, 10.0), |_| false).is_some(), "{ray:?}");
             }
         }
     }

@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use crate::allocate::allocate;
 use crate::builtin::{select, truncate};
-use crate::internal::Args;
+use crate::internal::{Args, generator_number};
 use crate::program::{Call, Code, Op, Program, Target};
 use crate::{BinaryOp, Builtin, Expr, Function, Internal, MAX_PARAMS};
 
@@ -313,21 +313,25 @@ impl Builder {
 
     fn internal(&mut self, internal: Internal, args: &[Expr], frame: &mut Frame) -> u32 {
         let mut args = self.all(args, frame);
-        let (function, params) = match internal {
-            Internal::NOISE => {
-                args.truncate(3);
-                args.push(self.constant(f64::from(frame.noise_generator)));
-                Internal::NOISE_OF_GENERATOR.implementation()
-            }
-            other => other.implementation(),
-        };
+        if internal == Internal::NOISE {
+            args.truncate(3);
+            args.push(self.constant(f64::from(frame.noise_generator)));
+        }
+        let internal = if internal == Internal::NOISE { Internal::NOISE_OF_GENERATOR } else { internal };
+        let (entry, params) = internal.implementation();
         let zero = self.constant(0.0);
         args.resize(params, zero);
         if args.iter().all(|&a| self.known_constant(a).is_some()) {
             let known = Args::gather(&args, |a| self.known_constant(a).unwrap_or(0.0));
-            return self.constant(function(&known));
+            return self.constant((entry.value)(&known));
         }
-        self.call(Target::Internal(function), args, 0)
+        match (internal, self.known_constant(args[params - 1])) {
+            (Internal::NOISE_OF_GENERATOR, Some(generator)) => {
+                args.truncate(3);
+                self.call(Target::Noise(generator_number(generator)), args, 0)
+            }
+            _ => self.call(Target::Internal(entry), args, 0),
+        }
     }
 
     /// A call of another user function: opened in place if it is short.

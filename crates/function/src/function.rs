@@ -3,7 +3,7 @@ use std::sync::Arc;
 
 use crate::compile::compile;
 use crate::program::Program;
-use crate::{Expr, External};
+use crate::{Bounds, Expr, External};
 
 /// The most parameters that a function may have.
 pub const MAX_PARAMS: usize = 56;
@@ -84,6 +84,19 @@ impl Function {
         match &self.body {
             Body::Expr { program, .. } => [program.run(args), 0.0, 0.0, 0.0, 0.0],
             Body::External(e) => e.eval(args),
+        }
+    }
+
+    /// Where the value and its slopes lie over bounds of the arguments; nothing is known of externals.
+    pub fn enclose(&self, args: &[Bounds]) -> Bounds {
+        self.enclose_openly(args).settled()
+    }
+
+    /// The same; an angle may still be known but for whole turns.
+    pub(crate) fn enclose_openly(&self, args: &[Bounds]) -> Bounds {
+        match &self.body {
+            Body::Expr { program, .. } => program.enclose(args),
+            Body::External(_) => Bounds::UNKNOWN,
         }
     }
 

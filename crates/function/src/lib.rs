@@ -10,6 +10,7 @@
 #![warn(missing_docs)]
 
 mod allocate;
+mod bounds;
 mod builtin;
 mod compile;
 mod expr;
@@ -17,5 +18,6 @@ mod function;
 mod internal;
 mod program;
 
+pub use bounds::{Bounds, Range, VARIABLES};
 pub use expr::{BinaryOp, Builtin, Expr, External, Internal};
 pub use function::{Function, MAX_PARAMS};

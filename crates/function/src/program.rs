@@ -5,8 +5,10 @@
 //! and repeat the body of `sum` and `prod`.
 use std::sync::Arc;
 
+use raggio_math::{Vec3, noise::noise};
+
 use crate::builtin::{maximum, minimum};
-use crate::internal::{Args, InternalFn};
+use crate::internal::{Args, Entry};
 use crate::{BinaryOp, Builtin, External, Function, MAX_PARAMS};
 
 /// What an operation does with its operands `a` and `b`.
@@ -83,7 +85,9 @@ pub(crate) struct Call {
 /// What is called.
 #[derive(Clone)]
 pub(crate) enum Target {
-    Internal(InternalFn),
+    Internal(&'static Entry),
+    /// Noise of a generator, which is no operand: `x`, `y` and `z` are all.
+    Noise(u8),
     User(Arc<Function>),
     External(Arc<dyn External>),
 }
@@ -92,6 +96,7 @@ impl std::fmt::Debug for Target {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(match self {
             Target::Internal(_) => "internal function",
+            Target::Noise(_) => "noise",
             Target::User(_) => "user function",
             Target::External(_) => "external function",
         })
@@ -102,7 +107,8 @@ impl Target {
     /// The same function?
     pub(crate) fn same(&self, other: &Target) -> bool {
         match (self, other) {
-            (Target::Internal(a), Target::Internal(b)) => std::ptr::fn_addr_eq(*a, *b),
+            (Target::Internal(a), Target::Internal(b)) => std::ptr::eq(*a, *b),
+            (Target::Noise(a), Target::Noise(b)) => a == b,
             (Target::User(a), Target::User(b)) => Arc::ptr_eq(a, b),
             (Target::External(a), Target::External(b)) => Arc::ptr_eq(a, b),
             _ => false,
@@ -225,8 +231,13 @@ impl Program {
     #[inline(never)]
     fn call(&self, index: u32, r: &mut impl Registers) {
         let Some(call) = self.calls.get(index as usize) else { return };
+        if let (Target::Noise(generator), &[x, y, z], &[to]) = (&call.target, &*call.args, &*call.outputs) {
+            let p = Vec3::new(r.get(x), r.get(y), r.get(z));
+            return r.set(to, noise(*generator, p));
+        }
         let values = match &call.target {
-            Target::Internal(f) => [f(&Args::gather(&call.args, |i| r.get(i))), 0.0, 0.0, 0.0, 0.0],
+            Target::Noise(_) => [0.0; 5],
+            Target::Internal(f) => [(f.value)(&Args::gather(&call.args, |i| r.get(i))), 0.0, 0.0, 0.0, 0.0],
             Target::User(f) => f.eval5(gather(&call.args, r, &mut [0.0; MAX_PARAMS])),
             Target::External(e) => e.eval(gather(&call.args, r, &mut [0.0; 4])),
         };

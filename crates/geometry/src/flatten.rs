@@ -36,6 +36,13 @@ struct Built {
     outside: Aabb,
 }
 
+impl Built {
+    /// What belongs to it lies in this box. A patch has a surface although nothing is inside it.
+    fn reach(&self) -> Aabb {
+        self.inside.union(&self.surface)
+    }
+}
+
 struct Walk {
     leaves: Leaves,
     groups: Vec<Group>,
@@ -217,7 +224,7 @@ impl Walk {
     /// Cuts the boxes of unbounded members to what the group lets count of them.
     fn tighten(&self, op: Op, own: &mut [Built], clip_box: &Aabb) {
         let limit = match op {
-            Op::Intersection => own.iter().fold(*clip_box, |limit, m| limit.intersection(&m.inside)),
+            Op::Intersection => own.iter().fold(*clip_box, |limit, m| limit.intersection(&m.reach())),
             Op::Union | Op::Merge => *clip_box,
         };
         for m in own.iter_mut().filter(|m| !m.surface.is_finite()) {
@@ -318,8 +325,8 @@ fn combined_boxes(op: Op, members: &[Built]) -> (Aabb, Aabb, Aabb) {
     match op {
         Op::Union | Op::Merge => (surface, any(|m| m.inside), all(|m| m.outside)),
         Op::Intersection => {
-            let inside = all(|m| m.inside);
-            (surface.intersection(&inside), inside, any(|m| m.outside))
+            let shared = all(Built::reach);
+            (surface.intersection(&shared), all(|m| m.inside), any(|m| m.outside))
         }
     }
 }

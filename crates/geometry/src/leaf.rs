@@ -66,10 +66,15 @@ impl LocalRay {
     /// The nearest hit within a range of world distances. Rounding on the way to local distances and back must not
     /// let a hit through that the range shuts out.
     #[inline]
-    fn closest(&self, shape: &ShapeKind, range: (f64, f64)) -> Option<LocalHit> {
+    fn closest(
+        &self,
+        shape: &ShapeKind,
+        range: (f64, f64),
+        stops: impl Fn(&LocalHit) -> bool,
+    ) -> Option<LocalHit> {
         let mut local_range = self.range(range);
         for _ in 0..ROUNDING_TRIES {
-            let hit = shape.closest(&self.ray, local_range)?;
+            let hit = shape.closest_or(&self.ray, local_range, &stops)?;
             let t = hit.t / self.stretch;
             if t > range.0 {
                 return (t < range.1).then_some(hit);
@@ -87,9 +92,15 @@ impl LocalRay {
 }
 
 impl Leaves {
-    /// The nearest hit of one leaf.
+    /// The nearest hit of one leaf, or any hit that `stops` says yes to.
     #[inline]
-    pub(crate) fn closest(&self, index: u32, ray: &Ray, range: (f64, f64)) -> Option<Hit> {
+    pub(crate) fn closest(
+        &self,
+        index: u32,
+        ray: &Ray,
+        range: (f64, f64),
+        stops: &impl Fn(&Hit) -> bool,
+    ) -> Option<Hit> {
         let leaf = &self.leaves[index as usize];
         let at = |t: f64, local: LocalHit| Hit { t, leaf: index, inverted: leaf.inverted, local };
         let local = match &leaf.prim {
@@ -99,11 +110,14 @@ impl Leaves {
             Prim::PlacedBox { cuboid, place } => {
                 cuboid.closest(&ray.transformed(&self.places[*place as usize]), range)?
             }
-            Prim::World(s) => self.shapes[*s as usize].closest(ray, range)?,
+            Prim::World(s) => {
+                self.shapes[*s as usize].closest_or(ray, range, |local| stops(&at(local.t, *local)))?
+            }
             Prim::Placed { shape, place } => {
                 let local = LocalRay::new(ray, &self.places[*place as usize]);
-                let hit = local.closest(&self.shapes[*shape as usize], range)?;
-                return Some(at(hit.t / local.stretch, hit));
+                let world = |hit: &LocalHit| at(hit.t / local.stretch, *hit);
+                let hit = local.closest(&self.shapes[*shape as usize], range, |hit| stops(&world(hit)))?;
+                return Some(world(&hit));
             }
         };
         Some(at(local.t, local))

@@ -2,7 +2,7 @@
 use std::sync::Arc;
 
 use raggio_math::Affine;
-use raggio_scene::{Interior, Placed, Texture};
+use raggio_scene::{Interior, PigmentKind, Placed, Texture, TextureKind};
 use rustc_hash::FxHashMap;
 
 use crate::{InteriorId, InteriorInfo, Material, MaterialId, PlacedTexture, TextureId};
@@ -26,6 +26,8 @@ type TextureKey = (usize, [u64; 12]);
 impl Materials {
     /// The id of a texture at its place in the world.
     pub(crate) fn texture(&mut self, texture: &Arc<Texture>, world_from_texture: &Affine) -> TextureId {
+        // Copies of an object of one colour share one texture wherever they are.
+        let world_from_texture = if is_uniform(texture) { &Affine::IDENTITY } else { world_from_texture };
         let key = (Arc::as_ptr(texture) as usize, world_from_texture.to_cols_array().map(f64::to_bits));
         let textures = &mut self.textures;
         *self.texture_ids.entry(key).or_insert_with(|| {
@@ -67,4 +69,14 @@ impl Materials {
         self.material_ids.insert(key, id);
         id
     }
+}
+
+/// Is the texture the same at every point?
+fn is_uniform(texture: &Texture) -> bool {
+    let TextureKind::Layers(layers) = &texture.kind else { return false };
+    layers.iter().all(|layer| {
+        matches!(layer.pigment.kind, PigmentKind::Solid(_))
+            && layer.normal.is_none()
+            && layer.finish.irid.is_none()
+    })
 }

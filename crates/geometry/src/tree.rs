@@ -111,7 +111,7 @@ impl Tree {
         stops: &F,
     ) -> Option<Hit> {
         match node.node() {
-            Node::Leaf(leaf) => self.leaves.closest(leaf, &probe.ray, range),
+            Node::Leaf(leaf) => self.leaves.closest(leaf, &probe.ray, range, stops),
             Node::Group(group) => {
                 self.group_closest(&self.groups[group as usize], probe, range, class, scratch, stops)
             }

@@ -5,8 +5,8 @@ use raggio_geometry::{Geometry, Interaction, InteriorId, RayClass};
 use raggio_math::transform::{rotate, scale, translate};
 use raggio_math::{Ray, Vec3};
 use raggio_scene::{
-    Csg, FaceTexture, Interior, Light, LightKind, Mesh, MeshFace, Object, ObjectKind, PhotonFlags, Placed,
-    Rgb, Shape, Texture, TextureKind,
+    Color, Csg, FaceTexture, Finish, Interior, Irid, Layer, Light, LightKind, Mesh, MeshFace, Object,
+    ObjectKind, PhotonFlags, Pigment, Placed, Rgb, Shape, Texture, TextureKind,
 };
 
 fn ball(x: f64) -> Object {
@@ -18,8 +18,15 @@ fn group(op: Csg, children: Vec<Object>) -> Object {
     Object::new(ObjectKind::Csg { op, children: Arc::new(children.into_iter().map(Arc::new).collect()) })
 }
 
+/// A texture that is not the same everywhere, as thin films are uneven.
 fn texture() -> Arc<Texture> {
-    Arc::new(Texture { kind: TextureKind::Layers(Vec::new()) })
+    let irid = Irid { amount: 0.5, thickness: 1.0, turbulence: 1.0 };
+    one_layer(Finish { irid: Some(irid), ..Finish::default() })
+}
+
+fn one_layer(finish: Finish) -> Arc<Texture> {
+    let pigment = Arc::new(Pigment::solid(Color::default()));
+    Arc::new(Texture { kind: TextureKind::Layers(vec![Layer { pigment, normal: None, finish }]) })
 }
 
 fn with_texture(mut object: Object, texture: &Arc<Texture>) -> Object {
@@ -96,6 +103,16 @@ fn textures_move_with_their_objects() {
     let geometry = compile(tree);
     let back = geometry.textures[0].texture_from_world.expect("it was moved");
     assert_eq!(back.transform_point3(Vec3::new(5.0, 2.0, 0.0)), Vec3::new(2.0, 1.0, 0.0));
+}
+
+#[test]
+fn copies_of_one_colour_share_their_texture() {
+    let plain = one_layer(Finish::default());
+    let moved = |i: i32| {
+        with(with_texture(ball(0.0), &plain), |o| o.transform(&translate(Vec3::X * f64::from(3 * i))))
+    };
+    let geometry = compile(group(Csg::Union, (0..5).map(moved).collect()));
+    assert_eq!((geometry.textures.len(), geometry.materials.len()), (1, 1));
 }
 
 #[test]

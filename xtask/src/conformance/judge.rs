@@ -1,10 +1,9 @@
 //! One scene: both programs, and what comes of them.
 
-use super::Settings;
 use super::scene::Scene;
+use super::{Settings, frames};
 use crate::picture;
 use crate::process;
-use raggio_image::Bitmap;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::Duration;
@@ -34,56 +33,73 @@ pub struct Verdict {
     pub panel: Option<PathBuf>,
 }
 
-/// Renders with both programs and compares.
+/// The least that an animation may take, whose peer's time is often not known.
+const ANIMATION_LIMIT: Duration = Duration::from_secs(1200);
+
+/// Renders with both programs and compares. An animation matches if all its frames do; its worst is shown.
 pub fn judge(scene: &Scene, settings: &Settings) -> Result<Verdict, String> {
-    if scene.needs_ini {
-        return Ok(Verdict { status: Status::Skipped("rendered by its .ini only".into()), panel: None });
-    }
-    let (expected_path, peer_seconds) = match reference(scene, settings)? {
+    let (expected, peer_seconds) = match reference(scene, settings)? {
         Ok(found) => found,
         Err(why) => return Ok(Verdict { status: Status::Skipped(why), panel: None }),
     };
-    let actual_path = settings.out.join("actual").join(format!("{}.png", scene.key));
+    let expected = frames::of(scene, &expected);
+    let Some((first, _)) = expected.first() else {
+        return Ok(Verdict { status: Status::Skipped("no reference given".into()), panel: None });
+    };
+    let actual = settings.out.join("actual").join(format!("{}.png", scene.key));
     let limit = Duration::from_secs_f64((10.0 * peer_seconds).max(60.0));
-    if let Some(status) = render(scene, settings, &actual_path, limit)? {
-        return Ok(Verdict { status, panel: Some(expected_path) });
+    let limit = if scene.ini.is_some() { limit.max(ANIMATION_LIMIT) } else { limit };
+    if let Some(status) = render(scene, settings, &actual, limit)? {
+        return Ok(Verdict { status, panel: Some(first.clone()) });
     }
-    let expected = picture::read(&expected_path)?;
-    match picture::read(&actual_path) {
-        Err(message) => Ok(Verdict {
-            status: Status::Panic(format!("no picture: {message}")),
-            panel: Some(expected_path),
-        }),
-        Ok(actual) => compare(scene, settings, &expected, &actual),
+    let (mut worst, mut panel) = (0.0f32, None);
+    for (path, number) in &expected {
+        let shown = settings.out.join("panel").join(format!("{}{number}.png", scene.key));
+        match compare(path, &frames::numbered(&actual, number), &shown)? {
+            Err(message) => {
+                return Ok(Verdict { status: Status::Panic(message), panel: Some(path.clone()) });
+            }
+            Ok(error) if panel.is_none() || error > worst => (worst, panel) = (error, Some(shown)),
+            Ok(_) => {}
+        }
     }
+    let status = if worst <= scene.limit { Status::Match(worst) } else { Status::Differs(worst) };
+    Ok(Verdict { status, panel })
 }
 
-fn compare(
-    scene: &Scene,
-    settings: &Settings,
-    expected: &Bitmap,
-    actual: &Bitmap,
-) -> Result<Verdict, String> {
-    let comparison = match raggio_image::compare(expected, actual) {
-        Ok(comparison) => comparison,
-        Err(mismatch) => return Ok(Verdict { status: Status::Panic(mismatch.to_string()), panel: None }),
+/// The mean FLIP error of two pictures, whose panel is written; the inner error says why they can't be compared.
+fn compare(expected: &Path, actual: &Path, panel: &Path) -> Result<Result<f32, String>, String> {
+    let expected = picture::read(expected)?;
+    let actual = match picture::read(actual) {
+        Ok(actual) => actual,
+        Err(message) => return Ok(Err(format!("no picture: {message}"))),
     };
-    let panel = settings.out.join("panel").join(format!("{}.png", scene.key));
-    picture::write(&panel, &comparison.panel)?;
-    let error = comparison.mean_flip;
-    let status = if error <= scene.limit { Status::Match(error) } else { Status::Differs(error) };
-    Ok(Verdict { status, panel: Some(panel) })
+    match raggio_image::compare(&expected, &actual) {
+        Ok(comparison) => {
+            picture::write(panel, &comparison.panel)?;
+            Ok(Ok(comparison.mean_flip))
+        }
+        Err(mismatch) => Ok(Err(mismatch.to_string())),
+    }
 }
 
 /// Our own picture; `Some` if there is none.
 fn render(scene: &Scene, settings: &Settings, out: &Path, limit: Duration) -> Result<Option<Status>, String> {
     make_folder_of(out)?;
-    let _ = std::fs::remove_file(out);
+    for (old, _) in frames::of(scene, out) {
+        let _ = std::fs::remove_file(old);
+    }
     let mut command = Command::new(&settings.binary);
-    command.current_dir(folder(scene)).arg("render").arg(file_name(scene));
-    command.arg("--size").arg(format!("{}x{}", settings.size.0, settings.size.1)).arg("-o").arg(out);
-    if let Some(library) = &settings.library {
-        command.arg("--library").arg(library);
+    command.current_dir(folder(scene));
+    if scene.ini.is_some() {
+        command.arg("povray");
+        povray_arguments(&mut command, scene, settings, out);
+    } else {
+        command.arg("render").arg(file_name(scene)).arg("-o").arg(out);
+        command.arg("--size").arg(format!("{}x{}", settings.size.0, settings.size.1));
+        if let Some(library) = &settings.library {
+            command.arg("--library").arg(library);
+        }
     }
     let done = process::run(&mut command, limit)?;
     Ok(match done.code {
@@ -105,7 +121,8 @@ fn first_message(stderr: &str, word: &str) -> String {
 fn reference(scene: &Scene, settings: &Settings) -> Result<Result<(PathBuf, f64), String>, String> {
     if let Some(given) = &settings.references {
         let path = given.join(format!("{}.png", scene.key));
-        return Ok(if path.exists() { Ok((path, 0.0)) } else { Err("no reference given".into()) });
+        let given = frames::of(scene, &path).iter().any(|(frame, _)| frame.exists());
+        return Ok(if given { Ok((path, 0.0)) } else { Err("no reference given".into()) });
     }
     let (w, h) = settings.size;
     let stem = settings.out.join("expected").join(format!("{}-{:016x}-{w}x{h}", scene.key, scene.hash));
@@ -120,11 +137,13 @@ fn reference(scene: &Scene, settings: &Settings) -> Result<Result<(PathBuf, f64)
         return Ok(Err("no reference yet (--povray makes it)".into()));
     }
     make_folder_of(&path)?;
-    let done = process::run(&mut peer(scene, settings, &path), Duration::from_secs(180))?;
-    let found = if done.code == Some(0) && path.exists() {
+    let limit = if scene.ini.is_some() { ANIMATION_LIMIT } else { Duration::from_secs(180) };
+    let done = process::run(&mut peer(scene, settings, &path), limit)?;
+    let made = frames::of(scene, &path).iter().any(|(frame, _)| frame.exists());
+    let found = if done.code == Some(0) && made {
         Ok((path, done.wall.as_secs_f64()))
     } else if done.timed_out {
-        Err("POV-Ray takes more than 180 s".to_string())
+        Err(format!("POV-Ray takes more than {} s", limit.as_secs()))
     } else {
         Err(format!("POV-Ray: {}", first_message(&done.stderr, "Error")))
     };
@@ -133,16 +152,23 @@ fn reference(scene: &Scene, settings: &Settings) -> Result<Result<(PathBuf, f64)
     Ok(found)
 }
 
-/// POV-Ray splits arguments at blanks unless they carry quotes of their own.
 fn peer(scene: &Scene, settings: &Settings, out: &Path) -> Command {
     let mut command = Command::new("povray");
     command.current_dir(folder(scene));
+    povray_arguments(&mut command, scene, settings, out);
+    command
+}
+
+/// POV-Ray splits arguments at blanks unless they carry quotes of their own.
+fn povray_arguments(command: &mut Command, scene: &Scene, settings: &Settings, out: &Path) {
+    if let Some(name) = scene.ini.as_ref().and_then(|ini| ini.file_name()) {
+        command.arg(name);
+    }
     command.arg(format!("+I\"{}\"", file_name(scene))).arg(format!("+O\"{}\"", out.display()));
     command.arg(format!("+W{}", settings.size.0)).arg(format!("+H{}", settings.size.1)).args(["-A", "-D"]);
     if let Some(library) = &settings.library {
         command.arg(format!("+L\"{}\"", library.display()));
     }
-    command
 }
 
 fn folder(scene: &Scene) -> &Path {

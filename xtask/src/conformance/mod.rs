@@ -1,5 +1,6 @@
 //! `cargo xtask conformance`: a folder of scenes through our renderer and through POV-Ray, side by side.
 
+mod frames;
 mod judge;
 mod page;
 mod report;

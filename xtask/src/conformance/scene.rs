@@ -25,8 +25,8 @@ pub struct Scene {
     pub limit: f32,
     /// Changes with the scene's text.
     pub hash: u64,
-    /// POV-Ray renders this folder's scenes by their .ini only.
-    pub needs_ini: bool,
+    /// The file of options that renders all its frames, where the scene means nothing without one.
+    pub ini: Option<PathBuf>,
 }
 
 /// All scenes below a folder, in a fixed order; `filter` must occur in the relative path.
@@ -64,7 +64,7 @@ fn describe(root: &Path, path: PathBuf) -> Result<Scene, String> {
         key: Path::new(&name).with_extension("").to_string_lossy().replace('/', "__"),
         limit: limit(&String::from_utf8_lossy(&bytes)),
         hash: hasher.finish(),
-        needs_ini: name.starts_with("portfolio/"),
+        ini: Some(path.with_extension("ini")).filter(|ini| name.starts_with("portfolio/") && ini.exists()),
         path,
     })
 }

@@ -4,7 +4,9 @@
 //! Wald, Benthin, Boulos: "Getting Rid of Packets" (2008) and Wald: "On fast Construction of SAH-based BVHs" (2007).
 //! Costs count leaf blocks of four, so leaves come out full.
 
-use super::{Block, LEAF, Node};
+use raggio_math::{Aabb, Vec3};
+
+use super::{Block, LANES, LEAF, Node};
 
 /// Deeper subtrees are cut in the middle, which halves them at each level.
 const SAH_DEPTH: usize = 32;
@@ -12,8 +14,6 @@ const SAH_DEPTH: usize = 32;
 pub(crate) const MAX_DEPTH: usize = SAH_DEPTH + 32;
 /// Most bins along an axis.
 const BINS: usize = 32;
-/// Triangles in a block.
-const BLOCK: usize = 4;
 /// What visiting a node costs, in tests of a block.
 const NODE_COST: f32 = 1.0;
 
@@ -35,6 +35,11 @@ impl Bounds {
             self.lo[k] = if other.lo[k] < self.lo[k] { other.lo[k] } else { self.lo[k] };
             self.hi[k] = if other.hi[k] > self.hi[k] { other.hi[k] } else { self.hi[k] };
         }
+    }
+
+    fn aabb(&self) -> Aabb {
+        let corner = |c: &[f32; 4]| Vec3::new(f64::from(c[0]), f64::from(c[1]), f64::from(c[2]));
+        Aabb { min: corner(&self.lo), max: corner(&self.hi) }
     }
 
     #[inline(always)]
@@ -115,11 +120,11 @@ impl<'a> Builder<'a> {
         Builder { vertices, triangles, prims, nodes: Vec::new(), blocks: Vec::new() }
     }
 
-    /// Nodes, blocks, and the word of the root.
-    pub(crate) fn build(mut self) -> (Vec<Node>, Vec<Block>, u32) {
+    /// Nodes, blocks, the word of the root, and a box around everything.
+    pub(crate) fn build(mut self) -> (Vec<Node>, Vec<Block>, u32, Aabb) {
         if self.prims.is_empty() {
             self.nodes.push(EMPTY_NODE);
-            return (self.nodes, self.blocks, 0);
+            return (self.nodes, self.blocks, 0, Aabb::EMPTY);
         }
         self.nodes.reserve(self.prims.len() / 12 + 1);
         self.blocks.reserve(self.prims.len() / 3 + 1);
@@ -127,7 +132,7 @@ impl<'a> Builder<'a> {
         let root = self.child(&all, 0);
         self.nodes.shrink_to_fit();
         self.blocks.shrink_to_fit();
-        (self.nodes, self.blocks, root)
+        (self.nodes, self.blocks, root, all.bounds.aabb())
     }
 
     fn range(&self, start: usize, end: usize) -> Range {
@@ -141,16 +146,15 @@ impl<'a> Builder<'a> {
 
     /// The child word for a range: a leaf, or a node built below.
     fn child(&mut self, range: &Range, depth: usize) -> u32 {
-        if range.len() <= BLOCK { self.leaf(range) } else { self.node(range, depth) }
+        if range.len() <= LANES { self.leaf(range) } else { self.node(range, depth) }
     }
 
     fn leaf(&mut self, range: &Range) -> u32 {
         let prims = &self.prims[range.start..range.end];
-        let mut block = Block { corner: [[[0.0; 4]; 3]; 3], triangle: [u32::MAX; 4] };
-        for lane in 0..BLOCK {
-            let triangle = prims.get(lane).unwrap_or(&prims[0]).triangle;
-            block.triangle[lane] = triangle;
-            for (k, &v) in self.triangles[triangle as usize].iter().enumerate() {
+        let mut block = Block { corner: [[[f32::NAN; LANES]; 3]; 3], triangle: [u32::MAX; LANES] };
+        for (lane, prim) in prims.iter().enumerate() {
+            block.triangle[lane] = prim.triangle;
+            for (k, &v) in self.triangles[prim.triangle as usize].iter().enumerate() {
                 for axis in 0..3 {
                     block.corner[k][axis][lane] = self.vertices[v as usize][axis];
                 }
@@ -166,7 +170,7 @@ impl<'a> Builder<'a> {
         while count < 8 {
             // Open the child whose box is most likely to be hit.
             let largest = (0..count)
-                .filter(|&i| children[i].len() > BLOCK)
+                .filter(|&i| children[i].len() > LANES)
                 .max_by(|&a, &b| children[a].bounds.half_area().total_cmp(&children[b].bounds.half_area()));
             let Some(i) = largest else { break };
             let (left, right) = self.split(&children[i], depth);
@@ -275,7 +279,7 @@ fn twice_centre(prim: &Prim) -> Bounds {
 
 /// Cost and place of the cheapest cut of one axis; infinite where every cut leaves a side empty.
 fn cheapest_cut(bins: &[(Bounds, u32)]) -> (f32, usize) {
-    let blocks = |count: u32| count.div_ceil(BLOCK as u32) as f32;
+    let blocks = |count: u32| count.div_ceil(LANES as u32) as f32;
     let mut right_cost = [0.0f32; BINS];
     let (mut bounds, mut count) = (Bounds::EMPTY, 0);
     for (i, bin) in bins.iter().enumerate().rev() {

@@ -1,106 +1,75 @@
-//! The traversal kernel, written once for every set of wide instructions.
+//! The traversal, written once for every set of wide instructions and for rays of either precision.
 
-/// A module `$name` with `closest` and `any` compiled for `$features`.
+/// A module `$name` with all questions to a mesh, compiled for `$features`.
 macro_rules! kernel {
     ($name:ident, $features:literal) => {
         mod $name {
             use std::arch::x86_64::*;
             use std::mem::MaybeUninit;
 
-            use crate::mesh::scalar::{Prepared, WIDEN};
-            use crate::mesh::{Block, LEAF, MeshBvh, MeshHit, MeshRay, Node, STACK};
+            use raggio_math::Ray;
 
-            /// A ray spread over lanes.
-            struct Wide {
-                origin: [__m256; 3],
-                inv_dir: [__m256; 3],
+            use crate::kernel::{SLACK, Slab};
+            use crate::mesh::double::Sheared;
+            use crate::mesh::scalar::{Prepared, slab};
+            use crate::mesh::{Block, LEAF, MeshBvh, MeshHit, MeshRay, Node, STACK, TriangleHit};
+            use crate::round::{down, up};
+
+            leaf_tests!($features);
+
+            /// A ray as eight boxes see it.
+            struct Boxes {
+                near_origin: [__m256; 3],
+                far_origin: [__m256; 3],
+                inverse: [__m256; 3],
                 /// Byte offsets of the rows of `Node::bounds` that are nearer and farther on each axis.
                 near: [usize; 3],
                 far: [usize; 3],
                 t_min: __m256,
-                /// Four lanes, in the order of `Prepared::k`.
-                tri_origin: [__m128; 3],
-                shear: [__m128; 3],
-                /// Byte offsets of the axes `Prepared::k` in a corner.
-                axis: [usize; 3],
             }
 
-            impl Wide {
+            impl Boxes {
+                // Arrays are written out here: `map` is compiled without the features, and would not be inlined.
                 #[inline]
                 #[target_feature(enable = $features)]
-                fn new(ray: &MeshRay) -> Wide {
-                    let p = Prepared::new(ray);
-                    let side = |axis: usize, far: bool| {
-                        32 * (axis + 3 * usize::from((p.inv_dir[axis] < 0.0) != far))
-                    };
-                    Wide {
-                        origin: p.origin.map(|v| _mm256_set1_ps(v)),
-                        inv_dir: p.inv_dir.map(|v| _mm256_set1_ps(v)),
-                        near: [side(0, false), side(1, false), side(2, false)],
-                        far: [side(0, true), side(1, true), side(2, true)],
-                        t_min: _mm256_set1_ps(ray.t_min),
-                        tri_origin: p.k.map(|k| _mm_set1_ps(p.origin[k])),
-                        shear: p.shear.map(|v| _mm_set1_ps(v)),
-                        axis: p.k.map(|k| 16 * k),
+                fn new(slab: &Slab, t_min: f32) -> Boxes {
+                    let (near, far, inverse) = (&slab.origin_near, &slab.origin_far, &slab.inverse);
+                    Boxes {
+                        near_origin: [
+                            _mm256_set1_ps(near[0]),
+                            _mm256_set1_ps(near[1]),
+                            _mm256_set1_ps(near[2]),
+                        ],
+                        far_origin: [_mm256_set1_ps(far[0]), _mm256_set1_ps(far[1]), _mm256_set1_ps(far[2])],
+                        inverse: [
+                            _mm256_set1_ps(inverse[0]),
+                            _mm256_set1_ps(inverse[1]),
+                            _mm256_set1_ps(inverse[2]),
+                        ],
+                        near: [32 * slab.near[0], 32 * slab.near[1], 32 * slab.near[2]],
+                        far: [32 * slab.far[0], 32 * slab.far[1], 32 * slab.far[2]],
+                        t_min: _mm256_set1_ps(t_min),
                     }
                 }
-            }
 
-            /// Which children the ray enters before `t_max`, and where.
-            #[inline]
-            #[target_feature(enable = $features)]
-            fn enter(node: &Node, ray: &Wide, t_max: __m256) -> (u32, __m256) {
-                let base = node.bounds.as_ptr().cast::<u8>();
-                let plane = |offset: usize, axis: usize| {
-                    // SAFETY: offsets are rows 0..6 of `bounds`, 32 bytes each, in a structure aligned to 32.
-                    let row = unsafe { _mm256_load_ps(base.add(offset).cast()) };
-                    _mm256_mul_ps(_mm256_sub_ps(row, ray.origin[axis]), ray.inv_dir[axis])
-                };
-                let near_xy = _mm256_max_ps(plane(ray.near[0], 0), plane(ray.near[1], 1));
-                let near = _mm256_max_ps(near_xy, _mm256_max_ps(plane(ray.near[2], 2), ray.t_min));
-                let far_xy = _mm256_min_ps(plane(ray.far[0], 0), plane(ray.far[1], 1));
-                let far = _mm256_min_ps(far_xy, plane(ray.far[2], 2));
-                let far = _mm256_min_ps(_mm256_mul_ps(far, _mm256_set1_ps(WIDEN)), t_max);
-                (_mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LE_OQ>(near, far)) as u32, near)
-            }
-
-            /// Parameters of the hits with a block, and a mask of the lanes that have one in range.
-            #[inline]
-            #[target_feature(enable = $features)]
-            fn hit_block(block: &Block, ray: &Wide, t_max: f32) -> (u32, __m128) {
-                let base = block.corner.as_ptr().cast::<u8>();
-                let at = |corner: usize, k: usize| {
-                    // SAFETY: three corners of three rows of 16 bytes, in a structure aligned to 16.
-                    let row = unsafe { _mm_load_ps(base.add(48 * corner + ray.axis[k]).cast()) };
-                    _mm_sub_ps(row, ray.tri_origin[k])
-                };
-                let sheared = |corner: usize| {
-                    let z = at(corner, 2);
-                    let x = _mm_fnmadd_ps(ray.shear[0], z, at(corner, 0));
-                    let y = _mm_fnmadd_ps(ray.shear[1], z, at(corner, 1));
-                    (x, y, z)
-                };
-                let (a, b, c) = (sheared(0), sheared(1), sheared(2));
-                // No fused operation here: a shared edge must give exact negatives on its two sides.
-                let edge = |p: (__m128, __m128, __m128), q: (__m128, __m128, __m128)| {
-                    _mm_sub_ps(_mm_mul_ps(p.0, q.1), _mm_mul_ps(p.1, q.0))
-                };
-                let (u, v, w) = (edge(c, b), edge(a, c), edge(b, a));
-                let zero = _mm_setzero_ps();
-                let least = _mm_min_ps(_mm_min_ps(u, v), w);
-                let most = _mm_max_ps(_mm_max_ps(u, v), w);
-                let one_sided = _mm_or_ps(_mm_cmpge_ps(least, zero), _mm_cmple_ps(most, zero));
-                if _mm_movemask_ps(one_sided) == 0 {
-                    return (0, zero);
+                /// Which children the ray enters before `t_max`, and where.
+                #[inline]
+                #[target_feature(enable = $features)]
+                fn enter(&self, node: &Node, t_max: __m256) -> (u32, __m256) {
+                    let base = node.bounds.as_ptr().cast::<u8>();
+                    let plane = |offset: usize, origin: __m256, axis: usize| {
+                        // SAFETY: offsets are rows 0..6 of `bounds`, 32 bytes each, in a structure aligned to 32.
+                        let row = unsafe { _mm256_load_ps(base.add(offset).cast()) };
+                        _mm256_mul_ps(_mm256_sub_ps(row, origin), self.inverse[axis])
+                    };
+                    let near = |axis: usize| plane(self.near[axis], self.near_origin[axis], axis);
+                    let far = |axis: usize| plane(self.far[axis], self.far_origin[axis], axis);
+                    let enter =
+                        _mm256_max_ps(_mm256_max_ps(near(0), near(1)), _mm256_max_ps(near(2), self.t_min));
+                    let leave = _mm256_min_ps(_mm256_min_ps(far(0), far(1)), far(2));
+                    let leave = _mm256_min_ps(_mm256_mul_ps(leave, _mm256_set1_ps(SLACK)), t_max);
+                    (_mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LE_OQ>(enter, leave)) as u32, enter)
                 }
-                let det = _mm_add_ps(_mm_add_ps(u, v), w);
-                let scaled = _mm_fmadd_ps(w, c.2, _mm_fmadd_ps(v, b.2, _mm_mul_ps(u, a.2)));
-                let t = _mm_div_ps(_mm_mul_ps(scaled, ray.shear[2]), det);
-                // A det of 0 makes t infinite or not a number, which no comparison accepts.
-                let after = _mm_cmpge_ps(t, _mm256_castps256_ps128(ray.t_min));
-                let before = _mm_cmple_ps(t, _mm_set1_ps(t_max));
-                let ok = _mm_and_ps(one_sided, _mm_and_ps(after, before));
-                (_mm_movemask_ps(ok) as u32, t)
             }
 
             /// A child on the stack: where it is entered (a float that is not negative orders like its bits) and its word.
@@ -111,19 +80,19 @@ macro_rules! kernel {
                 u64::from(t.to_bits()) << 32 | u64::from(word)
             }
 
+            /// Shows `leaf` the blocks on the ray, the near ones first as far as boxes tell. It is given the distance
+            /// beyond which nothing interests any more and answers with the new one.
+            #[inline]
             #[target_feature(enable = $features)]
-            pub(super) fn closest(bvh: &MeshBvh, root: u32, ray: &MeshRay) -> Option<MeshHit> {
-                let wide = Wide::new(ray);
+            fn walk(bvh: &MeshBvh, boxes: &Boxes, mut t_max: f32, mut leaf: impl FnMut(&Block, f32) -> f32) {
                 let mut stack = [MaybeUninit::<Entry>::uninit(); STACK];
                 let mut top = 0usize;
-                let mut t_max = ray.t_max;
-                let mut triangle = u32::MAX;
-                let mut word = root;
+                let mut word = bvh.root;
                 loop {
                     while word & LEAF == 0 {
                         // SAFETY: child words are indices that the builder made.
                         let node = unsafe { bvh.nodes.get_unchecked(word as usize) };
-                        let (mut mask, near) = enter(node, &wide, _mm256_set1_ps(t_max));
+                        let (mut mask, near) = boxes.enter(node, _mm256_set1_ps(t_max));
                         if mask == 0 {
                             word = u32::MAX;
                             break;
@@ -163,14 +132,11 @@ macro_rules! kernel {
                     if word != u32::MAX {
                         // SAFETY: leaf words are indices that the builder made.
                         let block = unsafe { bvh.blocks.get_unchecked((word & !LEAF) as usize) };
-                        let (mask, t) = hit_block(block, &wide, t_max);
-                        if mask != 0 {
-                            (t_max, triangle) = nearest_lane(block, mask, t);
-                        }
+                        t_max = leaf(block, t_max);
                     }
                     loop {
                         if top == 0 {
-                            return (triangle != u32::MAX).then_some(MeshHit { t: t_max, triangle });
+                            return;
                         }
                         top -= 1;
                         // SAFETY: entries below the old top were written.
@@ -183,41 +149,40 @@ macro_rules! kernel {
                 }
             }
 
-            #[inline]
             #[target_feature(enable = $features)]
-            fn nearest_lane(block: &Block, mut mask: u32, t: __m128) -> (f32, u32) {
-                let mut lanes = [0.0f32; 4];
-                // SAFETY: four floats are written to an array of four.
-                unsafe { _mm_storeu_ps(lanes.as_mut_ptr(), t) };
-                let mut best = (f32::INFINITY, 0usize);
-                while mask != 0 {
-                    let lane = mask.trailing_zeros() as usize & 3;
-                    mask &= mask - 1;
-                    if lanes[lane] < best.0 {
-                        best = (lanes[lane], lane);
+            pub(super) fn closest(bvh: &MeshBvh, ray: &MeshRay) -> Option<MeshHit> {
+                let prepared = Prepared::new(ray);
+                let (boxes, single) = (Boxes::new(&slab(ray), ray.t_min), Single::new(&prepared, ray.t_min));
+                let mut nearest = MeshHit { t: ray.t_max, triangle: u32::MAX };
+                walk(bvh, &boxes, ray.t_max, |block, t_max| {
+                    let (mask, t) = single.hit(block, t_max);
+                    if mask != 0 {
+                        nearest = nearest_lane(block, mask, t);
                     }
-                }
-                (best.0, block.triangle[best.1])
+                    nearest.t
+                });
+                (nearest.triangle != u32::MAX).then_some(nearest)
             }
 
             #[target_feature(enable = $features)]
-            pub(super) fn any(bvh: &MeshBvh, root: u32, ray: &MeshRay) -> bool {
-                let wide = Wide::new(ray);
+            pub(super) fn any(bvh: &MeshBvh, ray: &MeshRay) -> bool {
+                let prepared = Prepared::new(ray);
+                let (boxes, single) = (Boxes::new(&slab(ray), ray.t_min), Single::new(&prepared, ray.t_min));
                 let t_max = _mm256_set1_ps(ray.t_max);
                 let mut stack = [MaybeUninit::<u32>::uninit(); STACK];
                 let mut top = 0usize;
-                let mut word = root;
+                let mut word = bvh.root;
                 loop {
                     if word & LEAF != 0 {
                         // SAFETY: leaf words are indices that the builder made.
                         let block = unsafe { bvh.blocks.get_unchecked((word & !LEAF) as usize) };
-                        if hit_block(block, &wide, ray.t_max).0 != 0 {
+                        if single.hit(block, ray.t_max).0 != 0 {
                             return true;
                         }
                     } else {
                         // SAFETY: child words are indices that the builder made.
                         let node = unsafe { bvh.nodes.get_unchecked(word as usize) };
-                        let (mut mask, _) = enter(node, &wide, t_max);
+                        let (mut mask, _) = boxes.enter(node, t_max);
                         while mask != 0 {
                             let slot = mask.trailing_zeros() as usize & 7;
                             mask &= mask - 1;
@@ -233,6 +198,52 @@ macro_rules! kernel {
                     // SAFETY: entries below the old top were written.
                     word = unsafe { stack.get_unchecked(top).assume_init() };
                 }
+            }
+
+            /// See [`MeshBvh::nearest`].
+            #[target_feature(enable = $features)]
+            pub(super) fn nearest(
+                bvh: &MeshBvh,
+                ray: &Ray,
+                range: (f64, f64),
+                mut stops: impl FnMut(&TriangleHit) -> bool,
+            ) -> Option<TriangleHit> {
+                let slab = Slab::new(ray);
+                if !slab.finite {
+                    return None;
+                }
+                let boxes = Boxes::new(&slab, down(range.0.max(0.0)) + 0.0);
+                let double = Double::new(&Sheared::new(ray));
+                let mut best = None;
+                let mut far = range.1;
+                walk(bvh, &boxes, up(far), |block, t_max| {
+                    let hits = double.hit(block, (range.0, far));
+                    let Some(hit) = hits.nearest(block) else { return t_max };
+                    best = Some(hit);
+                    far = if stops(&hit) { -1.0 } else { hit.t };
+                    up(far)
+                });
+                best
+            }
+
+            /// See [`MeshBvh::all`].
+            #[target_feature(enable = $features)]
+            pub(super) fn all(
+                bvh: &MeshBvh,
+                ray: &Ray,
+                range: (f64, f64),
+                mut found: impl FnMut(TriangleHit),
+            ) {
+                let slab = Slab::new(ray);
+                if !slab.finite {
+                    return;
+                }
+                let boxes = Boxes::new(&slab, down(range.0.max(0.0)) + 0.0);
+                let double = Double::new(&Sheared::new(ray));
+                walk(bvh, &boxes, up(range.1), |block, t_max| {
+                    double.hit(block, range).each(block, &mut found);
+                    t_max
+                });
             }
         }
     };

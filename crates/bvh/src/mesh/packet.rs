@@ -42,7 +42,7 @@ mod x86 {
     use std::arch::x86_64::*;
     use std::mem::MaybeUninit;
 
-    use crate::mesh::scalar::WIDEN;
+    use crate::kernel::SLACK;
     use crate::mesh::{Block, LEAF, MeshBvh, Node, Packet, PacketHit, STACK};
 
     /// A packet whose rays all go into the same octant, and bounds over them.
@@ -131,7 +131,7 @@ mod x86 {
                 let (low, high) = (self.inv_low[axis], self.inv_high[axis]);
                 near = _mm256_max_ps(near, _mm256_min_ps(_mm256_mul_ps(a, low), _mm256_mul_ps(a, high)));
                 let exit = _mm256_max_ps(_mm256_mul_ps(b, low), _mm256_mul_ps(b, high));
-                far = _mm256_min_ps(far, _mm256_mul_ps(exit, _mm256_set1_ps(WIDEN)));
+                far = _mm256_min_ps(far, _mm256_mul_ps(exit, _mm256_set1_ps(SLACK)));
             }
             (u32::from(_mm256_cmp_ps_mask::<_CMP_LE_OQ>(near, far)), near)
         }
@@ -148,7 +148,7 @@ mod x86 {
             let far = |axis: usize| plane(self.far[axis], axis);
             let enter = _mm512_max_ps(_mm512_max_ps(near(0), near(1)), _mm512_max_ps(near(2), self.t_min));
             let leave = _mm512_min_ps(_mm512_min_ps(far(0), far(1)), far(2));
-            let leave = _mm512_min_ps(_mm512_mul_ps(leave, _mm512_set1_ps(WIDEN)), t_max);
+            let leave = _mm512_min_ps(_mm512_mul_ps(leave, _mm512_set1_ps(SLACK)), t_max);
             _mm512_cmp_ps_mask::<_CMP_LE_OQ>(enter, leave)
         }
 
@@ -187,10 +187,10 @@ mod x86 {
         }
     }
 
-    /// How many different triangles a block holds: unused lanes repeat the first.
+    /// How many triangles a block holds.
     #[inline(always)]
     fn lanes(block: &Block) -> usize {
-        1 + block.triangle[1..].iter().take_while(|&&t| t != block.triangle[0]).count()
+        block.triangle.iter().take_while(|&&t| t != u32::MAX).count()
     }
 
     /// Children waiting, the nearest on top. The room is borrowed: as a field beside `top` it would be zeroed for each

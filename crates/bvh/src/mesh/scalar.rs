@@ -1,15 +1,16 @@
 //! The traversal in plain Rust: what every machine can do, and what the wide kernels are checked against.
 
-use super::{Block, LEAF, MeshBvh, MeshHit, MeshRay, Node, STACK};
+use raggio_math::Ray;
 
-/// Rounding of three operations on each side of a slab, twice over.
-pub(crate) const WIDEN: f32 = 1.0 + 4.0 * f32::EPSILON;
+use super::double::Sheared;
+use super::{Block, LANES, LEAF, MeshBvh, MeshHit, MeshRay, Node, STACK, TriangleHit};
+use crate::kernel::{SLACK, Slab};
+use crate::round::{down, up};
 
-/// What the tests need to know about a ray, worked out once.
+/// What the test of a triangle in single precision needs to know about a ray.
 pub(crate) struct Prepared {
     pub origin: [f32; 3],
-    pub inv_dir: [f32; 3],
-    /// Axes so that `dir[k[2]]` is the largest; swapped where needed to keep winding.
+    /// Axes so that `dir[k[2]]` is the largest.
     pub k: [usize; 3],
     pub shear: [f32; 3],
 }
@@ -17,7 +18,7 @@ pub(crate) struct Prepared {
 impl Prepared {
     #[inline(always)]
     pub(crate) fn new(ray: &MeshRay) -> Prepared {
-        let a = ray.dir.map(f32::abs);
+        let a = [ray.dir[0].abs(), ray.dir[1].abs(), ray.dir[2].abs()];
         let kz = if a[0] > a[1] {
             if a[0] > a[2] { 0 } else { 2 }
         } else if a[1] > a[2] {
@@ -27,35 +28,66 @@ impl Prepared {
         };
         let (kx, ky) = ((kz + 1) % 3, (kz + 2) % 3);
         let inv_z = 1.0 / ray.dir[kz];
-        // A direction of 0 becomes tiny: the box test then never multiplies 0 by infinity.
-        let inv_dir = ray.dir.map(|d| 1.0 / if d.abs() < 1e-18 { 1e-18f32.copysign(d) } else { d });
         Prepared {
             origin: ray.origin,
-            inv_dir,
             k: [kx, ky, kz],
             shear: [ray.dir[kx] * inv_z, ray.dir[ky] * inv_z, inv_z],
         }
     }
 }
 
+/// A ray in single precision as boxes see it: what it is told is exact.
+#[inline(always)]
+pub(crate) fn slab(ray: &MeshRay) -> Slab {
+    // A direction of 0 becomes tiny: the box test then never multiplies 0 by infinity.
+    let inverse = |k: usize| {
+        let d = ray.dir[k];
+        1.0 / if d.abs() < 1e-18 { 1e-18f32.copysign(d) } else { d }
+    };
+    Slab::exact(ray.origin, [inverse(0), inverse(1), inverse(2)])
+}
+
 /// Where the ray enters a child, if it does before `t_max`.
-fn child_entry(node: &Node, slot: usize, ray: &Prepared, t_min: f32, t_max: f32) -> Option<f32> {
+fn child_entry(node: &Node, slot: usize, slab: &Slab, t_min: f32, t_max: f32) -> Option<f32> {
     let (mut near, mut far) = (t_min, t_max);
     for axis in 0..3 {
-        let at = |row: usize| (node.bounds[row][slot] - ray.origin[axis]) * ray.inv_dir[axis];
-        let (a, b) =
-            if ray.inv_dir[axis] < 0.0 { (at(axis + 3), at(axis)) } else { (at(axis), at(axis + 3)) };
+        let a = (node.bounds[slab.near[axis]][slot] - slab.origin_near[axis]) * slab.inverse[axis];
+        let b = (node.bounds[slab.far[axis]][slot] - slab.origin_far[axis]) * slab.inverse[axis];
         near = near.max(a);
-        far = far.min(b * WIDEN);
+        far = far.min(b * SLACK);
     }
     (near <= far).then_some(near)
+}
+
+/// Shows `leaf` the blocks on the ray, the near ones first as far as boxes tell. It is given the distance beyond which
+/// nothing interests any more and answers with the new one, a negative one to end the search.
+fn walk(bvh: &MeshBvh, slab: &Slab, t_min: f32, mut t_max: f32, mut leaf: impl FnMut(&Block, f32) -> f32) {
+    let mut stack: Vec<(f32, u32)> = Vec::with_capacity(STACK);
+    stack.push((t_min, bvh.root));
+    while let Some((entry, word)) = stack.pop() {
+        if entry > t_max {
+            continue;
+        }
+        if word & LEAF != 0 {
+            t_max = leaf(&bvh.blocks[(word & !LEAF) as usize], t_max);
+            continue;
+        }
+        let node = &bvh.nodes[word as usize];
+        let first = stack.len();
+        for slot in 0..8 {
+            if let Some(entry) = child_entry(node, slot, slab, t_min, t_max) {
+                stack.push((entry, node.child[slot]));
+            }
+        }
+        stack[first..].sort_unstable_by(|a, b| b.0.total_cmp(&a.0));
+    }
 }
 
 /// The nearest triangle of a block.
 fn hit_block(block: &Block, ray: &Prepared, t_min: f32, t_max: f32) -> Option<MeshHit> {
     let mut best = None;
     let mut t_best = t_max;
-    for lane in 0..4 {
+    for lane in 0..LANES {
         let sheared = |corner: usize| {
             let at = |axis: usize| block.corner[corner][axis][lane] - ray.origin[axis];
             let z = at(ray.k[2]);
@@ -79,50 +111,61 @@ fn hit_block(block: &Block, ray: &Prepared, t_min: f32, t_max: f32) -> Option<Me
 }
 
 /// See [`MeshBvh::closest`].
-pub(crate) fn closest(bvh: &MeshBvh, root: u32, ray: &MeshRay) -> Option<MeshHit> {
+pub(crate) fn closest(bvh: &MeshBvh, ray: &MeshRay) -> Option<MeshHit> {
     let prepared = Prepared::new(ray);
     let mut best = None;
-    let mut t_max = ray.t_max;
-    let mut stack: Vec<(f32, u32)> = Vec::with_capacity(STACK);
-    stack.push((ray.t_min, root));
-    while let Some((entry, word)) = stack.pop() {
-        if entry > t_max {
-            continue;
-        }
-        if word & LEAF != 0 {
-            if let Some(hit) = hit_block(&bvh.blocks[(word & !LEAF) as usize], &prepared, ray.t_min, t_max) {
-                t_max = hit.t;
-                best = Some(hit);
-            }
-            continue;
-        }
-        let node = &bvh.nodes[word as usize];
-        let first = stack.len();
-        for slot in 0..8 {
-            if let Some(entry) = child_entry(node, slot, &prepared, ray.t_min, t_max) {
-                stack.push((entry, node.child[slot]));
-            }
-        }
-        stack[first..].sort_unstable_by(|a, b| b.0.total_cmp(&a.0));
-    }
+    walk(bvh, &slab(ray), ray.t_min, ray.t_max, |block, t_max| {
+        let Some(hit) = hit_block(block, &prepared, ray.t_min, t_max) else { return t_max };
+        best = Some(hit);
+        hit.t
+    });
     best
 }
 
 /// See [`MeshBvh::any`].
-pub(crate) fn any(bvh: &MeshBvh, root: u32, ray: &MeshRay) -> bool {
-    let prepared = Prepared::new(ray);
-    let mut stack: Vec<u32> = Vec::with_capacity(STACK);
-    stack.push(root);
-    while let Some(word) = stack.pop() {
-        if word & LEAF != 0 {
-            if hit_block(&bvh.blocks[(word & !LEAF) as usize], &prepared, ray.t_min, ray.t_max).is_some() {
-                return true;
-            }
-            continue;
-        }
-        let node = &bvh.nodes[word as usize];
-        let hit = (0..8).filter(|&slot| child_entry(node, slot, &prepared, ray.t_min, ray.t_max).is_some());
-        stack.extend(hit.map(|slot| node.child[slot]));
+pub(crate) fn any(bvh: &MeshBvh, ray: &MeshRay) -> bool {
+    closest(bvh, ray).is_some()
+}
+
+/// See [`MeshBvh::nearest`].
+pub(crate) fn nearest(
+    bvh: &MeshBvh,
+    ray: &Ray,
+    range: (f64, f64),
+    mut stops: impl FnMut(&TriangleHit) -> bool,
+) -> Option<TriangleHit> {
+    let (slab, sheared) = (Slab::new(ray), Sheared::new(ray));
+    let mut best: Option<TriangleHit> = None;
+    if !slab.finite {
+        return None;
     }
-    false
+    let mut far = range.1;
+    walk(bvh, &slab, down(range.0.max(0.0)), up(far), |block, t_max| {
+        let before = far;
+        sheared.hits(block, (range.0, far), |hit| {
+            if hit.t < far {
+                (best, far) = (Some(hit), hit.t);
+            }
+        });
+        match best {
+            Some(hit) if far < before => {
+                far = if stops(&hit) { -1.0 } else { far };
+                up(far)
+            }
+            _ => t_max,
+        }
+    });
+    best
+}
+
+/// See [`MeshBvh::all`].
+pub(crate) fn all(bvh: &MeshBvh, ray: &Ray, range: (f64, f64), mut found: impl FnMut(TriangleHit)) {
+    let (slab, sheared) = (Slab::new(ray), Sheared::new(ray));
+    if !slab.finite {
+        return;
+    }
+    walk(bvh, &slab, down(range.0.max(0.0)), up(range.1), |block, t_max| {
+        sheared.hits(block, range, &mut found);
+        t_max
+    });
 }

@@ -3,7 +3,9 @@
 //! One kernel, compiled twice: for AVX2, and for AVX-512, whose 32 registers hold all of a ray.
 #![allow(unsafe_code)]
 
-use super::{MeshBvh, MeshHit, MeshRay, scalar};
+use raggio_math::Ray;
+
+use super::{MeshBvh, MeshHit, MeshRay, TriangleHit, scalar};
 
 /// Which kernel a machine runs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -36,30 +38,47 @@ impl Isa {
     }
 }
 
+/// Asks the kernel of the mesh's instructions.
+macro_rules! dispatch {
+    ($isa:expr, $question:ident($($argument:expr),*)) => {
+        // SAFETY: `Isa::all` names only what the machine can run, and it is the only source of an `Isa`.
+        match $isa {
+            Isa::Scalar => scalar::$question($($argument),*),
+            #[cfg(target_arch = "x86_64")]
+            Isa::Avx2 => unsafe { avx2::$question($($argument),*) },
+            #[cfg(target_arch = "x86_64")]
+            Isa::Avx512 => unsafe { avx512::$question($($argument),*) },
+        }
+    };
+}
+
 /// See [`MeshBvh::closest`].
 #[inline]
-pub(crate) fn closest(isa: Isa, bvh: &MeshBvh, root: u32, ray: &MeshRay) -> Option<MeshHit> {
-    // SAFETY: `Isa::all` names only what the machine can run, and it is the only source of an `Isa`.
-    match isa {
-        Isa::Scalar => scalar::closest(bvh, root, ray),
-        #[cfg(target_arch = "x86_64")]
-        Isa::Avx2 => unsafe { avx2::closest(bvh, root, ray) },
-        #[cfg(target_arch = "x86_64")]
-        Isa::Avx512 => unsafe { avx512::closest(bvh, root, ray) },
-    }
+pub(crate) fn closest(bvh: &MeshBvh, ray: &MeshRay) -> Option<MeshHit> {
+    dispatch!(bvh.isa, closest(bvh, ray))
 }
 
 /// See [`MeshBvh::any`].
 #[inline]
-pub(crate) fn any(isa: Isa, bvh: &MeshBvh, root: u32, ray: &MeshRay) -> bool {
-    // SAFETY: as in `closest`.
-    match isa {
-        Isa::Scalar => scalar::any(bvh, root, ray),
-        #[cfg(target_arch = "x86_64")]
-        Isa::Avx2 => unsafe { avx2::any(bvh, root, ray) },
-        #[cfg(target_arch = "x86_64")]
-        Isa::Avx512 => unsafe { avx512::any(bvh, root, ray) },
-    }
+pub(crate) fn any(bvh: &MeshBvh, ray: &MeshRay) -> bool {
+    dispatch!(bvh.isa, any(bvh, ray))
+}
+
+/// See [`MeshBvh::nearest`].
+#[inline]
+pub(crate) fn nearest(
+    bvh: &MeshBvh,
+    ray: &Ray,
+    range: (f64, f64),
+    stops: impl FnMut(&TriangleHit) -> bool,
+) -> Option<TriangleHit> {
+    dispatch!(bvh.isa, nearest(bvh, ray, range, stops))
+}
+
+/// See [`MeshBvh::all`].
+#[inline]
+pub(crate) fn all(bvh: &MeshBvh, ray: &Ray, range: (f64, f64), found: impl FnMut(TriangleHit)) {
+    dispatch!(bvh.isa, all(bvh, ray, range, found));
 }
 
 #[cfg(target_arch = "x86_64")]

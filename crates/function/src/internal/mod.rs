@@ -2,23 +2,26 @@
 //!
 //! [`TABLE`] registers each of them once. Parameters are numbered from 1, as in the manual's chapter on internal
 //! functions.
-mod curves;
+mod branches;
 mod helices;
-mod lumps;
 mod noises;
-mod polynomials;
+mod over_bounds;
+mod over_numbers;
+
+pub(crate) use noises::generator_number;
 
 use crate::Internal;
-use crate::builtin::{maximum, minimum};
+use crate::bounds::Bounds;
+use over_numbers::{length, turned};
 
 /// The point and the parameters of a call.
 #[derive(Clone, Copy)]
-pub(crate) struct Args {
-    x: f64,
-    y: f64,
-    z: f64,
+pub(crate) struct Args<N = f64> {
+    pub(crate) x: N,
+    pub(crate) y: N,
+    pub(crate) z: N,
     /// `p[1]` is the first parameter; `p[0]` is not used.
-    p: [f64; 11],
+    pub(crate) p: [f64; 11],
 }
 
 impl Args {
@@ -32,60 +35,24 @@ impl Args {
         }
         Args { x: at(0), y: at(1), z: at(2), p }
     }
-
-    /// The squares of the coordinates.
-    fn squares(&self) -> (f64, f64, f64) {
-        (self.x * self.x, self.y * self.y, self.z * self.z)
-    }
-
-    /// The squared distance from the origin.
-    fn r2(&self) -> f64 {
-        let (x2, y2, z2) = self.squares();
-        x2 + y2 + z2
-    }
-
-    /// A field of strength `p[1]`, kept within -10 and 10; not-a-number gives -10.
-    fn field(&self, e: f64) -> f64 {
-        minimum(maximum(-10.0, self.p[1] * e), 10.0)
-    }
-
-    /// Sweeps a plane curve around the y axis if parameter `first` says so: the two that follow are the curve's offset
-    /// from the axis and its turn in degrees.
-    fn swept(mut self, first: usize) -> Args {
-        let (switch, offset, degrees) = (self.p[first], self.p[first + 1], self.p[first + 2]);
-        if switch > 0.0 {
-            let rho = length(self.x, self.z) - offset;
-            if degrees != 0.0 {
-                (self.x, self.y) = turned(rho, self.y, degrees.to_radians());
-            } else {
-                self.x = rho;
-            }
-        }
-        self
-    }
-}
-
-/// The length of the vector (x, y). Faster than `f64::hypot`, which also minds overflow.
-fn length(x: f64, y: f64) -> f64 {
-    (x * x + y * y).sqrt()
-}
-
-/// The point (x, y) turned by an angle in radians.
-fn turned(x: f64, y: f64, angle: f64) -> (f64, f64) {
-    let (sin, cos) = angle.sin_cos();
-    (x * cos - y * sin, x * sin + y * cos)
 }
 
 /// An internal function as code.
 pub(crate) type InternalFn = fn(&Args) -> f64;
 
-/// Name without its `f_`, number of parameters after x, y, z, and the code.
-type Entry = (&'static str, usize, InternalFn);
-
-/// What numbers without a function give.
-fn nothing(_: &Args) -> f64 {
-    0.0
+/// What is known of an internal function.
+pub(crate) struct Entry {
+    /// Without its `f_`.
+    name: &'static str,
+    /// How many parameters there are after x, y, z.
+    parameters: usize,
+    /// Its value.
+    pub(crate) value: InternalFn,
+    /// Its bounds over bounds of the point, if anything is known of them.
+    pub(crate) bounds: Option<fn(&Args<Bounds>) -> Bounds>,
 }
+
+static NOTHING: Entry = Entry { name: "", parameters: 0, value: noises::nothing, bounds: None };
 
 impl Internal {
     /// `f_noise3d`: noise of the scene's generator.
@@ -95,52 +62,119 @@ impl Internal {
 
     /// How many arguments it takes, x, y and z among them; `None` if there is no such function.
     pub fn params(self) -> Option<usize> {
-        TABLE.get(usize::from(self.0)).filter(|e| !e.0.is_empty()).map(|e| 3 + e.1)
+        self.name().map(|_| 3 + self.entry().parameters)
     }
 
     /// Its name in the standard include file, without the leading `f_`.
     pub fn name(self) -> Option<&'static str> {
-        TABLE.get(usize::from(self.0)).map(|e| e.0).filter(|name| !name.is_empty())
+        Some(self.entry().name).filter(|name| !name.is_empty())
+    }
+
+    /// What is known of it.
+    pub(crate) fn entry(self) -> &'static Entry {
+        TABLE.get(usize::from(self.0)).unwrap_or(&NOTHING)
     }
 
     /// The code and the number of arguments.
-    pub(crate) fn implementation(self) -> (InternalFn, usize) {
-        TABLE.get(usize::from(self.0)).map_or((nothing, 3), |e| (e.2, 3 + e.1))
+    pub(crate) fn implementation(self) -> (&'static Entry, usize) {
+        (self.entry(), 3 + self.entry().parameters)
     }
 }
 
-use {curves as c, helices as h, lumps as l, noises as n, polynomials as p};
+/// A table of entries: name, number of parameters, and the code, found in its module. The code of `both` modules is
+/// written once for numbers and for bounds.
+macro_rules! table {
+    ($($kind:ident $name:literal $parameters:literal $module:ident::$f:ident;)*) => {
+        [$(Entry { name: $name, parameters: $parameters, value: table!(value $kind $module $f), bounds: table!(bounds $kind $module $f) },)*]
+    };
+    (value both $module:ident $f:ident) => { over_numbers::$module::$f };
+    (bounds both $module:ident $f:ident) => { Some(over_bounds::$module::$f) };
+    (value noise $module:ident $f:ident) => { $module::$f };
+    (bounds noise $module:ident $f:ident) => { Some(over_bounds::$f) };
+    (value plain $module:ident $f:ident) => { $module::$f };
+    (bounds plain $module:ident $f:ident) => { None };
+}
 
 /// All internal functions by number.
 #[rustfmt::skip]
-const TABLE: [Entry; 79] = [
-    ("algbr_cyl1", 5, c::algbr_cyl1), ("algbr_cyl2", 5, c::algbr_cyl2), ("algbr_cyl3", 5, c::algbr_cyl3),
-    ("algbr_cyl4", 5, c::algbr_cyl4), ("bicorn", 2, p::bicorn), ("bifolia", 2, p::bifolia),
-    ("blob", 5, l::blob), ("blob2", 4, l::blob2), ("boy_surface", 2, p::boy_surface), ("comma", 1, l::comma),
-    ("cross_ellipsoids", 4, l::cross_ellipsoids), ("crossed_trough", 1, p::crossed_trough),
-    ("cubic_saddle", 1, p::cubic_saddle), ("cushion", 1, p::cushion), ("devils_curve", 1, p::devils_curve),
-    ("devils_curve_2d", 6, c::devils_curve_2d), ("dupin_cyclid", 6, p::dupin_cyclid),
-    ("ellipsoid", 3, l::ellipsoid), ("enneper", 1, p::enneper), ("flange_cover", 4, l::flange_cover),
-    ("folium_surface", 3, p::folium_surface), ("folium_surface_2d", 6, c::folium_surface_2d),
-    ("glob", 1, p::glob), ("heart", 1, p::heart), ("helical_torus", 10, h::helical_torus),
-    ("helix1", 7, h::helix1), ("helix2", 7, h::helix2), ("hex_x", 1, l::hex_x), ("hex_y", 1, l::hex_y),
-    ("hetero_mf", 6, n::hetero_mf), ("hunt_surface", 1, p::hunt_surface),
-    ("hyperbolic_torus", 3, p::hyperbolic_torus), ("isect_ellipsoids", 4, l::isect_ellipsoids),
-    ("kampyle_of_eudoxus", 3, p::kampyle_of_eudoxus), ("kampyle_of_eudoxus_2d", 6, c::kampyle_of_eudoxus_2d),
-    ("klein_bottle", 1, p::klein_bottle), ("kummer_surface_v1", 1, p::kummer_surface_v1),
-    ("kummer_surface_v2", 4, p::kummer_surface_v2), ("lemniscate_of_gerono", 1, p::lemniscate_of_gerono),
-    ("lemniscate_of_gerono_2d", 6, c::lemniscate_of_gerono_2d), ("mesh1", 5, l::mesh1), ("mitre", 1, p::mitre),
-    ("nodal_cubic", 1, p::nodal_cubic), ("odd", 1, p::cushion), ("ovals_of_cassini", 4, p::ovals_of_cassini),
-    ("paraboloid", 1, p::paraboloid), ("parabolic_torus", 3, p::parabolic_torus), ("ph", 0, l::ph),
-    ("pillow", 1, p::pillow), ("piriform", 1, p::piriform), ("piriform_2d", 7, c::piriform_2d),
-    ("poly4", 5, l::poly4), ("polytubes", 6, h::polytubes), ("quantum", 1, l::quantum),
-    ("quartic_paraboloid", 1, p::quartic_paraboloid), ("quartic_saddle", 1, p::quartic_saddle),
-    ("quartic_cylinder", 3, p::quartic_cylinder), ("r", 0, l::r), ("ridge", 6, n::ridge),
-    ("ridged_mf", 6, n::ridged_mf), ("rounded_box", 4, l::rounded_box), ("sphere", 1, l::sphere),
-    ("spikes", 5, l::spikes), ("spikes_2d", 4, l::spikes_2d), ("spiral", 6, h::spiral),
-    ("steiners_roman", 1, p::steiners_roman), ("strophoid", 4, p::strophoid), ("strophoid_2d", 7, c::strophoid_2d),
-    ("superellipsoid", 2, l::superellipsoid), ("th", 0, l::th), ("torus", 2, l::torus), ("torus2", 3, p::torus2),
-    ("torus_gumdrop", 1, p::torus_gumdrop), ("umbrella", 1, p::umbrella), ("witch_of_agnesi", 2, p::witch_of_agnesi),
-    ("witch_of_agnesi_2d", 6, c::witch_of_agnesi_2d), ("noise3d", 0, nothing), ("", 0, nothing),
-    ("noise_generator", 1, n::noise_generator),
-];
+static TABLE: [Entry; 79] = table! {
+    both "algbr_cyl1" 5 curves::algbr_cyl1;
+    both "algbr_cyl2" 5 curves::algbr_cyl2;
+    both "algbr_cyl3" 5 curves::algbr_cyl3;
+    both "algbr_cyl4" 5 curves::algbr_cyl4;
+    both "bicorn" 2 polynomials::bicorn;
+    both "bifolia" 2 polynomials::bifolia;
+    both "blob" 5 lumps::blob;
+    both "blob2" 4 lumps::blob2;
+    both "boy_surface" 2 polynomials::boy_surface;
+    plain "comma" 1 branches::comma;
+    both "cross_ellipsoids" 4 lumps::cross_ellipsoids;
+    both "crossed_trough" 1 polynomials::crossed_trough;
+    both "cubic_saddle" 1 polynomials::cubic_saddle;
+    both "cushion" 1 polynomials::cushion;
+    both "devils_curve" 1 polynomials::devils_curve;
+    both "devils_curve_2d" 6 curves::devils_curve_2d;
+    both "dupin_cyclid" 6 polynomials::dupin_cyclid;
+    both "ellipsoid" 3 lumps::ellipsoid;
+    plain "enneper" 1 branches::enneper;
+    both "flange_cover" 4 lumps::flange_cover;
+    both "folium_surface" 3 polynomials::folium_surface;
+    both "folium_surface_2d" 6 curves::folium_surface_2d;
+    both "glob" 1 polynomials::glob;
+    both "heart" 1 polynomials::heart;
+    plain "helical_torus" 10 helices::helical_torus;
+    plain "helix1" 7 helices::helix1;
+    plain "helix2" 7 helices::helix2;
+    plain "hex_x" 1 branches::hex_x;
+    plain "hex_y" 1 branches::hex_y;
+    plain "hetero_mf" 6 noises::hetero_mf;
+    both "hunt_surface" 1 polynomials::hunt_surface;
+    both "hyperbolic_torus" 3 polynomials::hyperbolic_torus;
+    both "isect_ellipsoids" 4 lumps::isect_ellipsoids;
+    both "kampyle_of_eudoxus" 3 polynomials::kampyle_of_eudoxus;
+    both "kampyle_of_eudoxus_2d" 6 curves::kampyle_of_eudoxus_2d;
+    both "klein_bottle" 1 polynomials::klein_bottle;
+    both "kummer_surface_v1" 1 polynomials::kummer_surface_v1;
+    both "kummer_surface_v2" 4 polynomials::kummer_surface_v2;
+    both "lemniscate_of_gerono" 1 polynomials::lemniscate_of_gerono;
+    both "lemniscate_of_gerono_2d" 6 curves::lemniscate_of_gerono_2d;
+    both "mesh1" 5 lumps::mesh1;
+    both "mitre" 1 polynomials::mitre;
+    both "nodal_cubic" 1 polynomials::nodal_cubic;
+    both "odd" 1 polynomials::cushion;
+    both "ovals_of_cassini" 4 polynomials::ovals_of_cassini;
+    both "paraboloid" 1 polynomials::paraboloid;
+    both "parabolic_torus" 3 polynomials::parabolic_torus;
+    both "ph" 0 lumps::ph;
+    both "pillow" 1 polynomials::pillow;
+    both "piriform" 1 polynomials::piriform;
+    both "piriform_2d" 7 curves::piriform_2d;
+    both "poly4" 5 lumps::poly4;
+    plain "polytubes" 6 helices::polytubes;
+    both "quantum" 1 lumps::quantum;
+    both "quartic_paraboloid" 1 polynomials::quartic_paraboloid;
+    both "quartic_saddle" 1 polynomials::quartic_saddle;
+    both "quartic_cylinder" 3 polynomials::quartic_cylinder;
+    both "r" 0 lumps::r;
+    plain "ridge" 6 noises::ridge;
+    plain "ridged_mf" 6 noises::ridged_mf;
+    both "rounded_box" 4 lumps::rounded_box;
+    both "sphere" 1 lumps::sphere;
+    both "spikes" 5 lumps::spikes;
+    both "spikes_2d" 4 lumps::spikes_2d;
+    plain "spiral" 6 helices::spiral;
+    both "steiners_roman" 1 polynomials::steiners_roman;
+    both "strophoid" 4 polynomials::strophoid;
+    both "strophoid_2d" 7 curves::strophoid_2d;
+    both "superellipsoid" 2 lumps::superellipsoid;
+    both "th" 0 lumps::th;
+    both "torus" 2 lumps::torus;
+    both "torus2" 3 polynomials::torus2;
+    both "torus_gumdrop" 1 polynomials::torus_gumdrop;
+    both "umbrella" 1 polynomials::umbrella;
+    both "witch_of_agnesi" 2 polynomials::witch_of_agnesi;
+    both "witch_of_agnesi_2d" 6 curves::witch_of_agnesi_2d;
+    plain "noise3d" 0 noises::nothing;
+    plain "" 0 noises::nothing;
+    noise "noise_generator" 1 noises::noise_generator;
+};

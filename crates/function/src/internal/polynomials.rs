@@ -1,22 +1,22 @@
 //! Algebraic surfaces: polynomial fields of strength `p[1]`, kept within -10 and 10.
 use std::f64::consts::SQRT_2;
 
-use super::Args;
+use super::{Args, N};
 
-pub(super) fn bicorn(a: &Args) -> f64 {
+pub fn bicorn(a: &Args) -> N {
     let (x2, y2, z2) = a.squares();
     let s2 = a.p[2] * a.p[2];
     let e = x2 + z2 + 2.0 * a.p[2] * a.y - s2;
     a.field(y2 * (s2 - x2 - z2) - e * e)
 }
 
-pub(super) fn bifolia(a: &Args) -> f64 {
+pub fn bifolia(a: &Args) -> N {
     let (x2, _, z2) = a.squares();
     let r2 = a.r2();
     a.field(-(r2 * r2 - a.p[2] * (x2 + z2) * a.y))
 }
 
-pub(super) fn boy_surface(a: &Args) -> f64 {
+pub fn boy_surface(a: &Args) -> N {
     let (x2, y2, z2) = a.squares();
     let (q, h, z4) = (1.0 - a.z, x2 + y2, z2 * z2);
     let k = 64.0 * q * q * q * z2 * a.z - 48.0 * q * q * z2 * (3.0 * h + 2.0 * z2)
@@ -29,17 +29,17 @@ pub(super) fn boy_surface(a: &Args) -> f64 {
     a.field(a.p[2] * k)
 }
 
-pub(super) fn crossed_trough(a: &Args) -> f64 {
+pub fn crossed_trough(a: &Args) -> N {
     let (x2, _, z2) = a.squares();
     a.field(x2 * z2 - a.y)
 }
 
-pub(super) fn cubic_saddle(a: &Args) -> f64 {
+pub fn cubic_saddle(a: &Args) -> N {
     a.field(-(a.x.powi(3) - a.y.powi(3) - a.z))
 }
 
 /// Also `f_odd`, which computes the same.
-pub(super) fn cushion(a: &Args) -> f64 {
+pub fn cushion(a: &Args) -> N {
     let (x2, y2, z2) = a.squares();
     let z = a.z;
     a.field(
@@ -54,12 +54,12 @@ pub(super) fn cushion(a: &Args) -> f64 {
     )
 }
 
-pub(super) fn devils_curve(a: &Args) -> f64 {
+pub fn devils_curve(a: &Args) -> N {
     let (x2, y2, z2) = a.squares();
     a.field(-(x2 * x2 + 2.0 * x2 * z2 - 0.36 * x2 - y2 * y2 + 0.25 * y2 + z2 * z2))
 }
 
-pub(super) fn dupin_cyclid(a: &Args) -> f64 {
+pub fn dupin_cyclid(a: &Args) -> N {
     let y2 = a.y * a.y;
     let r2 = a.r2();
     let [_, _, p2, p3, p4, p5, p6, ..] = a.p;
@@ -80,37 +80,29 @@ pub(super) fn dupin_cyclid(a: &Args) -> f64 {
     )
 }
 
-pub(super) fn enneper(a: &Args) -> f64 {
-    let (x2, y2, z2) = a.squares();
-    let z = if a.z.abs() < 0.2 { 0.2 } else { a.z };
-    let first = (y2 - x2) / (2.0 * z) + 2.0 * z2 / 9.0;
-    let second = (y2 - x2) / (4.0 * z);
-    a.field(-(first.powi(3) - 6.0 * second * second))
-}
-
-pub(super) fn folium_surface(a: &Args) -> f64 {
+pub fn folium_surface(a: &Args) -> N {
     let (x2, y2, z2) = a.squares();
     a.field((y2 + z2) * (1.0 + (a.p[3] - 4.0 * a.p[2]) * a.x) + x2 * (1.0 + a.p[3]))
 }
 
-pub(super) fn glob(a: &Args) -> f64 {
+pub fn glob(a: &Args) -> N {
     let (x2, y2, z2) = a.squares();
     a.field(0.5 * x2 * x2 * a.x + 0.5 * x2 * x2 - (y2 + z2))
 }
 
-pub(super) fn heart(a: &Args) -> f64 {
+pub fn heart(a: &Args) -> N {
     let (x2, y2, z2) = a.squares();
     let z3 = z2 * a.z;
     a.field(-((2.0 * x2 + y2 + z2 - 1.0).powi(3) - 0.1 * x2 * z3 - y2 * z3))
 }
 
-pub(super) fn hunt_surface(a: &Args) -> f64 {
+pub fn hunt_surface(a: &Args) -> N {
     let (x2, y2, z2) = a.squares();
     let e = 3.0 * x2 + y2 - 4.0 * z2 - 12.0;
     a.field(-(4.0 * (a.r2() - 13.0).powi(3) + 27.0 * e * e))
 }
 
-pub(super) fn hyperbolic_torus(a: &Args) -> f64 {
+pub fn hyperbolic_torus(a: &Args) -> N {
     let (x2, y2, z2) = a.squares();
     let (s, d) = sum_and_difference(a);
     a.field(
@@ -128,24 +120,24 @@ fn sum_and_difference(a: &Args) -> (f64, f64) {
     (major + minor, major - minor)
 }
 
-pub(super) fn kampyle_of_eudoxus(a: &Args) -> f64 {
+pub fn kampyle_of_eudoxus(a: &Args) -> N {
     let (x2, y2, z2) = a.squares();
     let c2 = a.p[3] * a.p[3];
     a.field(-(y2 + z2 - c2 * x2 * x2 + c2 * a.p[2] * a.p[2] * x2))
 }
 
-pub(super) fn klein_bottle(a: &Args) -> f64 {
+pub fn klein_bottle(a: &Args) -> N {
     let (r2, z2) = (a.r2(), a.z * a.z);
     let (plus, minus) = (r2 + 2.0 * a.y - 1.0, r2 - 2.0 * a.y - 1.0);
     a.field(-(plus * (minus * minus - 8.0 * z2) + 16.0 * a.x * a.z * minus))
 }
 
-pub(super) fn kummer_surface_v1(a: &Args) -> f64 {
+pub fn kummer_surface_v1(a: &Args) -> N {
     let (x2, y2, z2) = a.squares();
     a.field(-(x2 * x2 + y2 * y2 + z2 * z2 - a.r2() - x2 * y2 - x2 * z2 - y2 * z2 + 1.0))
 }
 
-pub(super) fn kummer_surface_v2(a: &Args) -> f64 {
+pub fn kummer_surface_v2(a: &Args) -> N {
     let (x2, y2, z2) = a.squares();
     let [_, _, p2, p3, p4, ..] = a.p;
     a.field(
@@ -159,33 +151,33 @@ pub(super) fn kummer_surface_v2(a: &Args) -> f64 {
     )
 }
 
-pub(super) fn lemniscate_of_gerono(a: &Args) -> f64 {
+pub fn lemniscate_of_gerono(a: &Args) -> N {
     let (x2, y2, z2) = a.squares();
     a.field(-(x2 * x2 - x2 + y2 + z2))
 }
 
-pub(super) fn mitre(a: &Args) -> f64 {
+pub fn mitre(a: &Args) -> N {
     let (x2, y2, z2) = a.squares();
     a.field(-(4.0 * x2 * a.r2() - y2 * (1.0 - y2 - z2)))
 }
 
-pub(super) fn nodal_cubic(a: &Args) -> f64 {
+pub fn nodal_cubic(a: &Args) -> N {
     a.field(-(a.y.powi(3) + a.z.powi(3) - 6.0 * a.y * a.z))
 }
 
-pub(super) fn ovals_of_cassini(a: &Args) -> f64 {
+pub fn ovals_of_cassini(a: &Args) -> N {
     let (x2, _, z2) = a.squares();
     let [_, _, p2, p3, p4, ..] = a.p;
     let e = a.r2() + p2 * p2;
     a.field(-(e * e - p4 * p2 * p2 * (x2 + z2) - p3 * p3))
 }
 
-pub(super) fn paraboloid(a: &Args) -> f64 {
+pub fn paraboloid(a: &Args) -> N {
     let (x2, _, z2) = a.squares();
     a.field(-(x2 - a.y + z2))
 }
 
-pub(super) fn parabolic_torus(a: &Args) -> f64 {
+pub fn parabolic_torus(a: &Args) -> N {
     let (x2, y2, z2) = a.squares();
     let (s, d) = sum_and_difference(a);
     a.field(
@@ -197,60 +189,60 @@ pub(super) fn parabolic_torus(a: &Args) -> f64 {
     )
 }
 
-pub(super) fn pillow(a: &Args) -> f64 {
+pub fn pillow(a: &Args) -> N {
     let (x2, y2, z2) = a.squares();
     a.field(x2 * x2 + y2 * y2 + z2 * z2 - a.r2())
 }
 
-pub(super) fn piriform(a: &Args) -> f64 {
+pub fn piriform(a: &Args) -> N {
     let (x2, y2, z2) = a.squares();
     -a.field(-(x2 * x2 - x2 * a.x + y2 + z2))
 }
 
-pub(super) fn quartic_paraboloid(a: &Args) -> f64 {
+pub fn quartic_paraboloid(a: &Args) -> N {
     a.field(-(a.x.powi(4) + a.z.powi(4) - a.y))
 }
 
-pub(super) fn quartic_saddle(a: &Args) -> f64 {
+pub fn quartic_saddle(a: &Args) -> N {
     a.field(-(a.x.powi(4) - a.z.powi(4) - a.y))
 }
 
-pub(super) fn quartic_cylinder(a: &Args) -> f64 {
+pub fn quartic_cylinder(a: &Args) -> N {
     let (x2, y2, z2) = a.squares();
     let c2 = a.p[3] * a.p[3];
     a.field(-((x2 + z2) * (y2 + c2) - c2 * a.p[2] * a.p[2]))
 }
 
-pub(super) fn steiners_roman(a: &Args) -> f64 {
+pub fn steiners_roman(a: &Args) -> N {
     let (x2, y2, z2) = a.squares();
     a.field(-(x2 * y2 + x2 * z2 + y2 * z2 + a.x * a.y * a.z))
 }
 
-pub(super) fn strophoid(a: &Args) -> f64 {
+pub fn strophoid(a: &Args) -> N {
     let (x2, y2, z2) = a.squares();
     let d2 = a.p[4] * a.p[4];
     a.field(-((a.p[3] - a.x) * (y2 + z2) - d2 * a.p[2] * x2 - d2 * x2 * a.x))
 }
 
-pub(super) fn torus2(a: &Args) -> f64 {
+pub fn torus2(a: &Args) -> N {
     let (x2, y2, z2) = a.squares();
     let (s, d) = sum_and_difference(a);
     let r2 = a.r2();
     a.field(-(r2 * r2 - 2.0 * s * (x2 + z2) + 2.0 * d * y2 + d * d))
 }
 
-pub(super) fn torus_gumdrop(a: &Args) -> f64 {
+pub fn torus_gumdrop(a: &Args) -> N {
     let (x2, y2, z2) = a.squares();
     let h = y2 + z2;
     a.field(-(4.0 * (x2 * x2 + h * h) + 17.0 * x2 * h - 20.0 * a.r2() + 17.0))
 }
 
-pub(super) fn umbrella(a: &Args) -> f64 {
+pub fn umbrella(a: &Args) -> N {
     let (x2, _, z2) = a.squares();
     a.field(-(x2 - a.y * z2))
 }
 
-pub(super) fn witch_of_agnesi(a: &Args) -> f64 {
+pub fn witch_of_agnesi(a: &Args) -> N {
     let (x2, _, z2) = a.squares();
     a.field(-(a.p[2] * (a.y - 1.0) + (x2 + z2) * a.y))
 }

@@ -30,8 +30,8 @@ impl Way {
     #[inline]
     fn axis(ends: &[f64; 3], t: f64, ray: &Ray) -> usize {
         let mut axis = 3;
-        for k in 0..3 {
-            let here = (ends[k] - t).abs() <= EDGE;
+        for (k, end) in ends.iter().enumerate() {
+            let here = (end - t).abs() <= EDGE;
             if here && (axis == 3 || ray.dir[k].abs() > ray.dir[axis].abs()) {
                 axis = k;
             }

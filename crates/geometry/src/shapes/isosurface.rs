@@ -2,12 +2,17 @@
 //!
 //! A stretch of the ray is free of the surface when the function is too far from the threshold at its ends to get there
 //! with the steepest slope allowed; other stretches are halved, down to the accuracy.
+mod field;
+mod search;
+
 use std::sync::Arc;
 
 use raggio_function::Function;
 use raggio_math::{Aabb, Affine, Ray, Vec3, transform};
 use raggio_scene::{Container, IsosurfaceEvaluate};
 
+use self::field::Field;
+use self::search::Search;
 use super::collect::{Collect, Nearest, searched_from};
 use super::container;
 use crate::{LocalHit, Surface};
@@ -29,63 +34,11 @@ pub(crate) struct Isosurface {
     evaluate: Option<IsosurfaceEvaluate>,
     max_trace: u32,
     open: bool,
+    /// What is known of the function, if anything.
+    field: Option<Arc<Field>>,
     /// Accuracy counts along the world's ray, so a surface at a place that stretches does its own transforming.
     object_from_world: Affine,
     world_from_object: Affine,
-}
-
-/// The function along a ray, above the threshold or, with the sign turned, below it.
-struct Search<'a> {
-    surface: &'a Isosurface,
-    /// In the object's coordinates; its direction is as long as a world unit is there.
-    ray: Ray,
-    stretch: f64,
-    sign: f64,
-    gradient: f64,
-}
-
-impl Search<'_> {
-    fn value(&self, t: f64) -> f64 {
-        self.sign * self.surface.value(self.ray.at(t))
-    }
-
-    /// The first point below zero between two samples, to the accuracy.
-    fn first(&mut self, a: (f64, f64), b: (f64, f64)) -> Option<f64> {
-        let length = b.0 - a.0;
-        if length < self.surface.accuracy {
-            return (b.1 < 0.0).then_some(b.0);
-        }
-        self.learn((b.1 - a.1).abs() / (self.stretch * length));
-        if a.1 + b.1 >= self.gradient * self.stretch * length {
-            return None;
-        }
-        let middle = 0.5 * (a.0 + b.0);
-        // So far away that numbers are coarser than the accuracy.
-        if !(a.0 < middle && middle < b.0) {
-            return (b.1 < 0.0).then_some(b.0);
-        }
-        let middle = (middle, self.value(middle));
-        self.first(a, middle).or_else(|| self.first(middle, b))
-    }
-
-    /// `evaluate`: a steeper slope than expected raises the gradient.
-    fn learn(&mut self, slope: f64) {
-        if let Some(IsosurfaceEvaluate { increase, .. }) = self.surface.evaluate
-            && slope.is_finite()
-            && self.gradient < slope * increase
-        {
-            self.gradient = slope * increase * increase;
-        }
-    }
-
-    /// `evaluate`: a gradient above the minimum sinks from search to search.
-    fn relax(&mut self) {
-        if let Some(IsosurfaceEvaluate { minimum, decrease, .. }) = self.surface.evaluate
-            && self.gradient > minimum
-        {
-            self.gradient *= decrease;
-        }
-    }
 }
 
 impl Isosurface {
@@ -101,11 +54,15 @@ impl Isosurface {
             evaluate: iso.evaluate,
             max_trace: iso.max_trace,
             open: iso.open,
+            field: None,
             object_from_world: world_from_object.inverse(),
             world_from_object: *world_from_object,
         };
         if surface.evaluate.is_some() {
             surface.max_gradient = surface.learnt_gradient();
+        } else {
+            let bounds = container::bounds(&iso.container);
+            surface.field = Field::new(iso.function.clone(), iso.threshold, bounds).map(Arc::new);
         }
         surface
     }
@@ -144,10 +101,6 @@ impl Isosurface {
             .filter(|s| s.1 > to.range().0 && s.0 < to.range().1 && s.1.is_finite());
         let Some((enter, leave)) = span else { return self.max_gradient };
         let mut left = self.max_trace;
-        let last = search.value(leave);
-        if !self.open && last < 0.0 {
-            self.push_wall(&ray, leave, to);
-        }
         let mut at = (enter.max(0.0), search.value(enter.max(0.0)));
         if !self.open && enter > self.accuracy && at.1 < 0.0 {
             self.push_wall(&ray, enter, to);
@@ -160,15 +113,25 @@ impl Isosurface {
         }
         if at.1 < 0.0 {
             search.sign = -1.0;
+            at.1 = -at.1;
         }
         while left > 0 && at.0 < leave && at.0 < to.range().1 {
             search.relax();
-            let end = (leave, search.sign * last);
-            let Some(t) = search.first((at.0, search.value(at.0)), end) else { break };
+            let Some(t) = search.first_root(at, leave, to.range().1) else { break };
             to.push(LocalHit { t, part: SURFACE, ..LocalHit::default() });
             left -= 1;
             search.sign = -search.sign;
-            at.0 = t + 5.0 * self.accuracy;
+            let next = t + 5.0 * self.accuracy;
+            if left == 0 || next >= leave || next >= to.range().1 {
+                break;
+            }
+            at = (next, search.value(next));
+        }
+        if !self.open && leave < to.range().1 {
+            search.sign = 1.0;
+            if search.value(leave) < 0.0 {
+                self.push_wall(&ray, leave, to);
+            }
         }
         search.gradient
     }
@@ -201,5 +164,70 @@ impl Surface for Isosurface {
             container::wall_normal(&self.container, hit.part - 1, p)
         };
         transform::normal_by_inverse(&self.object_from_world, n).try_normalize().unwrap_or(Vec3::X)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use raggio_function::{BinaryOp, Builtin, Expr, Internal};
+
+    use super::*;
+
+    fn binary(op: BinaryOp, a: Expr, b: Expr) -> Expr {
+        Expr::Binary(op, Box::new(a), Box::new(b))
+    }
+
+    /// A wavy ball with noise: `sqrt(x*x + y*y + z*z) - 0.8 + sin(6*atan2(x, z))*0.05 + noise*0.1`.
+    fn rock() -> raggio_scene::Isosurface {
+        use BinaryOp::{Add, Mul};
+        let xyz = || (0..3).map(Expr::Slot).collect::<Vec<_>>();
+        let r2 =
+            xyz().into_iter().map(|e| Expr::Call(Builtin::Sqr, vec![e])).reduce(|a, b| binary(Add, a, b));
+        let r = Expr::Call(Builtin::Sqrt, r2.into_iter().collect());
+        let angle = Expr::Call(Builtin::Atan2, vec![Expr::Slot(0), Expr::Slot(2)]);
+        let wave = Expr::Call(Builtin::Sin, vec![binary(Mul, angle, Expr::Const(6.0))]);
+        let noise = Expr::Internal(Internal::NOISE, xyz());
+        let bumps = binary(Add, binary(Mul, wave, Expr::Const(0.05)), binary(Mul, noise, Expr::Const(0.1)));
+        raggio_scene::Isosurface {
+            function: Arc::new(Function::new(3, binary(Add, r, bumps))),
+            container: Container::Box { min: Vec3::splat(-1.0), max: Vec3::splat(1.0) },
+            threshold: 0.8,
+            accuracy: 0.001,
+            max_gradient: 3.0,
+            evaluate: None,
+            max_trace: 4,
+            open: false,
+        }
+    }
+
+    #[test]
+    fn what_is_known_of_the_function_changes_no_hit() {
+        let known = Isosurface::new(&rock(), &Affine::IDENTITY);
+        assert!(known.field.is_some());
+        let unknown = Isosurface { field: None, ..known.clone() };
+        let (mut hits, mut differing) = (0, 0);
+        for i in 0..400 {
+            // Points around the ball, and aims spread over it.
+            let (a, b) = (f64::from(i) * 2.4, f64::from(i) * 0.37);
+            let origin = Vec3::new(a.cos(), (b * 1.7).sin(), a.sin()) * 2.5;
+            let aim = Vec3::new(b.sin(), (a * 0.3).cos(), (b * 0.9).cos()) * 0.7;
+            let ray = Ray::new(origin, (aim - origin).normalize());
+            let all = |surface: &Isosurface| {
+                let mut out = Vec::new();
+                surface.hits(&ray, (0.0, f64::INFINITY), &mut out);
+                out
+            };
+            let (found, expected) = (all(&known), all(&unknown));
+            assert_eq!(found.len(), expected.len(), "ray {i}");
+            for (f, e) in found.iter().zip(&expected) {
+                // A search that begins a little below zero may end one step sooner or later.
+                assert!((f.t - e.t).abs() < 0.001 && f.part == e.part, "ray {i}: {f:?} instead of {e:?}");
+                differing += usize::from((f.t - e.t).abs() > 1e-9);
+            }
+            let nearest = |surface: &Isosurface| surface.closest(&ray, (0.0, 2.0)).map(|hit| hit.part);
+            assert_eq!(nearest(&known), nearest(&unknown));
+            hits += found.len();
+        }
+        assert!(hits > 400 && differing < 4, "{differing} of {hits} hits differ");
     }
 }

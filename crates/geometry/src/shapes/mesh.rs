@@ -1,7 +1,7 @@
 //! The mesh of triangles.
 use std::sync::Arc;
 
-use raggio_bvh::{TriangleHit, Triangles};
+use raggio_bvh::mesh::{MeshBvh, TriangleHit};
 use raggio_math::{Aabb, Ray, Vec2, Vec3};
 use raggio_scene::{FaceTexture, Mesh, MeshFace};
 
@@ -18,7 +18,7 @@ const SAME_NORMAL: f64 = 1e-10;
 /// A mesh ready to be hit. Parts of hits are faces, with the weights of the second and third corner.
 pub(crate) struct MeshShape {
     mesh: Arc<Mesh>,
-    triangles: Triangles,
+    triangles: MeshBvh,
 }
 
 impl From<TriangleHit> for LocalHit {
@@ -29,8 +29,20 @@ impl From<TriangleHit> for LocalHit {
 
 impl MeshShape {
     pub(crate) fn new(mesh: &Arc<Mesh>) -> Self {
-        let triangles = Triangles::new(mesh.vertices.clone(), mesh.faces.corners.clone());
+        let triangles = MeshBvh::build(&mesh.vertices, &mesh.faces.corners);
         MeshShape { mesh: mesh.clone(), triangles }
+    }
+
+    /// The nearest hit, or any that `stops` says yes to.
+    #[inline]
+    pub(crate) fn closest_or(
+        &self,
+        ray: &Ray,
+        range: (f64, f64),
+        mut stops: impl FnMut(&LocalHit) -> bool,
+    ) -> Option<LocalHit> {
+        let hit = self.triangles.nearest(ray, beyond(range, LEAST), |&hit| stops(&hit.into()));
+        hit.map(LocalHit::from)
     }
 
     fn face(&self, hit: &LocalHit) -> MeshFace {
@@ -38,7 +50,8 @@ impl MeshShape {
     }
 
     fn face_normal(&self, hit: &LocalHit) -> Vec3 {
-        let [a, b, c] = self.triangles.corners(hit.part);
+        let [a, b, c] = self.mesh.faces.corners[hit.part as usize]
+            .map(|i| Vec3::from_array(self.mesh.vertices[i as usize].map(f64::from)));
         (c - a).cross(b - a).normalize_or(Vec3::X)
     }
 
@@ -69,7 +82,7 @@ impl Surface for MeshShape {
 
     #[inline]
     fn closest(&self, ray: &Ray, range: (f64, f64)) -> Option<LocalHit> {
-        self.triangles.closest(ray, beyond(range, LEAST)).map(LocalHit::from)
+        self.closest_or(ray, range, |_| false)
     }
 
     /// A ray along the mesh's inside vector leaves it an odd number of times.

@@ -143,7 +143,7 @@ pub(crate) fn build(shape: &Shape) -> Result<ShapeKind, BuildError> {
         }
         Shape::Ovus { bottom, top } => ShapeKind::Ovus(ovus::Ovus::new(*bottom, *top)),
         Shape::BicubicPatch { flatness, u_steps, v_steps, points, uv, .. } => {
-            ShapeKind::Bicubic(Box::new(bicubic::Bicubic::new(points, *flatness, *u_steps, *v_steps, *uv)))
+            patch(points, *flatness, (*u_steps, *v_steps), *uv)
         }
         Shape::HeightField(field) => {
             ShapeKind::HeightField(Box::new(height_field::HeightField::new(field.clone())))
@@ -171,7 +171,13 @@ pub(crate) fn moved(shape: &Shape, world_from_object: &Affine) -> Option<ShapeKi
     match shape {
         Shape::Triangle { points } => Some(triangle(points, None, world_from_object)),
         Shape::SmoothTriangle { points, normals } => Some(triangle(points, Some(normals), world_from_object)),
-        // Their least distance and accuracy are measured in the world.
+        // Their flatness, least distance and accuracy are measured in the world.
+        Shape::BicubicPatch { flatness, u_steps, v_steps, points, uv, .. }
+            if !is_rigid(world_from_object) =>
+        {
+            let points = points.map(|row| row.map(|p| world_from_object.transform_point3(p)));
+            Some(patch(&points, *flatness, (*u_steps, *v_steps), *uv))
+        }
         Shape::Blob(blob) if !is_rigid(world_from_object) => {
             Some(ShapeKind::Blob(blob::Blob::new(blob, world_from_object)))
         }
@@ -190,6 +196,10 @@ pub(crate) fn moved(shape: &Shape, world_from_object: &Affine) -> Option<ShapeKi
 fn moved_cone(cone: &Cone, world_from_object: &Affine) -> Option<ShapeKind> {
     let scale = uniform_scale(world_from_object)?;
     Some(ShapeKind::Cone(Box::new(cone.moved(world_from_object, scale))))
+}
+
+fn patch(points: &[[Vec3; 4]; 4], flatness: f64, steps: (u32, u32), uv: [Vec2; 4]) -> ShapeKind {
+    ShapeKind::Bicubic(Box::new(bicubic::Bicubic::new(points, flatness, steps.0, steps.1, uv)))
 }
 
 fn isosurface(iso: &raggio_scene::Isosurface, place: &Affine) -> ShapeKind {
@@ -282,6 +292,20 @@ impl ShapeKind {
     pub(crate) fn has_few(&self) -> bool {
         use ShapeKind::{Box, Cone, Disc, Plane, Quadric};
         matches!(self, Box(_) | Cone(_) | Disc(_) | Plane(_) | Quadric(_))
+    }
+
+    /// The nearest hit, or any that `stops` says yes to where it is quicker to end there.
+    #[inline]
+    pub(crate) fn closest_or(
+        &self,
+        ray: &Ray,
+        range: (f64, f64),
+        stops: impl FnMut(&LocalHit) -> bool,
+    ) -> Option<LocalHit> {
+        match self {
+            ShapeKind::Mesh(mesh) => mesh.closest_or(ray, range, stops),
+            _ => self.closest(ray, range),
+        }
     }
 
     /// Roughly what questions cost, for their order: 0 for a plane, more for what takes iterations.

@@ -60,9 +60,7 @@ impl Tracer<'_> {
                 break;
             }
             let n = match &layer.normal {
-                Some(normal) if self.quality.normals() => {
-                    path.leave(normal.perturb(path.enter(point.n), p, context))
-                }
+                Some(normal) if self.quality.normals() => path.bend(normal, point.n, p, context),
                 _ => point.n,
             };
             if i == 0 {

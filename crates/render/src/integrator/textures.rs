@@ -1,6 +1,6 @@
 //! From a texture at a place to its plain layers: placement, maps, uv, and the way of normals through them.
 use raggio_math::{Vec2, Vec3, transform::normal_by_inverse};
-use raggio_shading::{Context, Layer, Texture, TextureMap};
+use raggio_shading::{Context, Layer, Normal, Texture, TextureMap};
 
 use crate::world::{Frame, WorldTexture};
 
@@ -19,25 +19,35 @@ enum Step<'a> {
 }
 
 impl NormalPath<'_> {
-    /// A normal of the world in the layer's space.
-    pub fn enter(&self, n: Vec3) -> Vec3 {
-        let n = self.outer.map_or(n, |outer| outer.enter(n));
+    /// The normal, of unit length in the world, that a layer makes of the surface's `n`. `p` is the layer's point.
+    pub fn bend(&self, normal: &Normal, n: Vec3, p: Vec3, context: &Context) -> Vec3 {
+        let lengths = normal.keeps_lengths();
+        unit(self.leave(normal.perturb(self.enter(n, lengths), p, context), lengths))
+    }
+
+    /// A normal of the world in the layer's space. With `lengths`, places scale it.
+    fn enter(&self, n: Vec3, lengths: bool) -> Vec3 {
+        let n = self.outer.map_or(n, |outer| outer.enter(n, lengths));
         match self.step {
             Step::Stay => n,
-            Step::Placed(frame) => unit(normal_by_inverse(&frame.world_from_texture, n)),
+            Step::Placed(frame) => unit_unless(lengths, normal_by_inverse(&frame.world_from_texture, n)),
             Step::Map(map) => map.normal_in(n),
         }
     }
 
     /// A normal of the layer's space in the world.
-    pub fn leave(&self, n: Vec3) -> Vec3 {
+    fn leave(&self, n: Vec3, lengths: bool) -> Vec3 {
         let n = match self.step {
             Step::Stay => n,
-            Step::Placed(frame) => unit(normal_by_inverse(&frame.texture_from_world, n)),
+            Step::Placed(frame) => unit_unless(lengths, normal_by_inverse(&frame.texture_from_world, n)),
             Step::Map(map) => map.normal_out(n),
         };
-        self.outer.map_or(n, |outer| outer.leave(n))
+        self.outer.map_or(n, |outer| outer.leave(n, lengths))
     }
+}
+
+fn unit_unless(lengths: bool, n: Vec3) -> Vec3 {
+    if lengths { n } else { unit(n) }
 }
 
 fn unit(n: Vec3) -> Vec3 {

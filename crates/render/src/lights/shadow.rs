@@ -183,7 +183,7 @@ fn layers_filter(
         }
         if caustics != 0.0 {
             let bent = match &layer.normal {
-                Some(normal) => path.leave(normal.perturb(path.enter(n), p, context)),
+                Some(normal) => path.bend(normal, n, p, context),
                 None => n,
             };
             product *= 1.0 + bent.dot(context.ray_dir).abs().powf(caustics) as f32;

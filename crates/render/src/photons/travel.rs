@@ -140,7 +140,7 @@ impl Tracer<'_> {
                 break;
             }
             n_bottom = match &layer.normal {
-                Some(normal) => path.leave(normal.perturb(path.enter(point.n), p, context)),
+                Some(normal) => path.bend(normal, point.n, p, context),
                 None => point.n,
             };
             if i == 0 {

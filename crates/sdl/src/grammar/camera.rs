@@ -256,7 +256,9 @@ fn frame_item(p: &mut Parser, draft: &mut Draft, key: Kw) -> Result<bool> {
         }
         Kw::Angle => {
             p.next()?;
-            draft.angle = Some((float(p)?, optional_second(p)?));
+            let first = float(p)?;
+            let spherical = matches!(draft.camera.kind, CameraKind::Spherical { .. });
+            draft.angle = Some((first, if spherical { optional_second(p)? } else { None }));
             draft.wrote_angle = true;
             Ok(true)
         }

@@ -46,12 +46,9 @@ pub fn comma_float(p: &mut Parser) -> Result<f64> {
     float(p)
 }
 
-/// A comma and a number, if a comma comes next.
+/// Another number, if one comes next; the comma before it may be missing.
 pub fn optional_second(p: &mut Parser) -> Result<Option<f64>> {
-    if !p.accept_punct(',')? {
-        return Ok(None);
-    }
-    float(p).map(Some)
+    if p.accept_punct(',')? || p.at_expression()? { float(p).map(Some) } else { Ok(None) }
 }
 
 /// A finite vector of two.

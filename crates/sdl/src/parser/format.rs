@@ -1,17 +1,45 @@
 //! Numbers as text, the way C prints them.
+use std::fmt::Write;
 
-/// `%[width].[precision]f`: a negative width pads with zeros, a negative precision is 6.
-pub fn fixed(x: f64, width: i64, precision: i64) -> String {
+/// Adds `%[width].[precision]f`: a negative width pads with zeros, a negative precision is 6.
+pub fn append_fixed(out: &mut String, x: f64, width: i64, precision: i64) {
     let precision = if precision < 0 { 6 } else { precision.min(400) as usize };
-    let text = if x.is_finite() { format!("{x:.precision$}") } else { not_finite(x) };
+    let start = out.len();
+    if !x.is_finite() {
+        *out += &not_finite(x);
+    } else if !append_short(out, x, precision) {
+        // Writing to a string can't fail.
+        let _ = write!(out, "{x:.precision$}");
+    }
     let size = width.unsigned_abs().min(4096) as usize;
-    if width >= 0 || !x.is_finite() {
-        return format!("{text:>size$}");
+    let missing = size.saturating_sub(out.len() - start);
+    if missing == 0 {
+        return;
     }
-    match text.strip_prefix('-') {
-        Some(digits) => format!("-{digits:0>size$}", size = size.saturating_sub(1)),
-        None => format!("{text:0>size$}"),
+    let zeros = width < 0 && x.is_finite();
+    let at = start + usize::from(zeros && out[start..].starts_with('-'));
+    out.insert_str(at, &(if zeros { "0" } else { " " }).repeat(missing));
+}
+
+/// Numbers of few digits, by way of a whole number; false where that might round differently from the exact decimal
+/// expansion, or where there are too many digits.
+fn append_short(out: &mut String, x: f64, precision: usize) -> bool {
+    const POWERS: [f64; 7] = [1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6];
+    let Some(&power) = POWERS.get(precision) else { return false };
+    let scaled = x.abs() * power;
+    let whole = scaled.round();
+    // The product is off by less than 1e-6 where it is below 1e9.
+    let clear = ((scaled - scaled.floor()) - 0.5).abs() > 1e-6;
+    if scaled >= 1e9 || !clear {
+        return false;
     }
+    let (whole, power) = (whole as u64, power as u64);
+    let sign = if x.is_sign_negative() { "-" } else { "" };
+    let _ = match precision {
+        0 => write!(out, "{sign}{whole}"),
+        _ => write!(out, "{sign}{}.{:0precision$}", whole / power, whole % power),
+    };
+    true
 }
 
 /// `%g`: six significant digits, without trailing zeros.
@@ -50,6 +78,26 @@ fn not_finite(x: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    fn fixed(x: f64, width: i64, precision: i64) -> String {
+        let mut text = String::from("|");
+        append_fixed(&mut text, x, width, precision);
+        text.split_off(1)
+    }
+
+    #[test]
+    fn short_numbers_agree_with_exact_ones() {
+        let mut x = 1.0e-7f64;
+        while x < 1e10 {
+            for precision in 0..9 {
+                for x in [x, -x, x.round() + 0.5, (x * 16.0).round() / 16.0, (x * 1000.0).round() / 1000.0] {
+                    assert_eq!(fixed(x, 0, precision), format!("{x:.p$}", p = precision as usize));
+                }
+            }
+            x *= 1.37;
+        }
+        assert_eq!(fixed(-0.0, 0, 1), "-0.0");
+    }
 
     #[test]
     fn numbers_print_as_in_c() {

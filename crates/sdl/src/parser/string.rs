@@ -59,6 +59,19 @@ impl Parser<'_> {
     }
 
     fn string_in(&mut self, mode: Mode) -> Result<Arc<str>> {
+        if self.peek()? == Tok::Value(Kind::String) {
+            return match self.take_value()? {
+                Value::String(text) => Ok(text),
+                _ => self.expected("a string"),
+            };
+        }
+        let mut text = String::new();
+        self.append_string(&mut text, mode)?;
+        Ok(text.into())
+    }
+
+    /// A string expression, added to what is there: so that no part of a long one is a string of its own.
+    fn append_string(&mut self, out: &mut String, mode: Mode) -> Result<()> {
         match self.peek()? {
             Tok::String => {
                 // Nothing has moved since the look, so the literal is the last token of the walk.
@@ -66,18 +79,22 @@ impl Parser<'_> {
                 let literal = frame.file.tokens[frame.pos as usize - 1].lexeme();
                 self.next()?;
                 match literal {
-                    Lexeme::String(i) => self.literal_in(i, mode),
+                    Lexeme::String(i) => {
+                        let file = self.cursor.frame.file.clone();
+                        self.append_literal(out, &file, i, mode)
+                    }
                     _ => self.expected("a string"),
                 }
             }
-            Tok::Value(Kind::String) => match self.take_value()? {
-                Value::String(text) => Ok(text),
-                _ => self.expected("a string"),
-            },
+            Tok::Value(Kind::String) => {
+                if let Value::String(text) = self.current_value() {
+                    *out += text;
+                }
+                self.next().map(|_| ())
+            }
             Tok::Kw(kw) if self.at_string()? => {
                 self.next()?;
-                let text = self.in_parentheses(|p| p.string_function(kw, mode))?;
-                Ok(text.into())
+                self.in_parentheses(|p| p.string_function(out, kw, mode))
             }
             Tok::Unknown => self.undeclared("is no string"),
             _ => self.expected("a string"),
@@ -86,24 +103,23 @@ impl Parser<'_> {
 
     /// A literal of the current file in text mode.
     pub(super) fn literal(&mut self, i: u32) -> Result<Arc<str>> {
-        self.literal_in(i, Mode::Text)
+        let file = self.cursor.frame.file.clone();
+        self.literal_of(&file, i)
     }
 
     /// A literal of any file in text mode.
     pub(super) fn literal_of(&mut self, file: &Lexed, i: u32) -> Result<Arc<str>> {
-        self.decoded(file, i, Mode::Text)
+        let mut text = String::new();
+        self.append_literal(&mut text, file, i, Mode::Text)?;
+        Ok(text.into())
     }
 
-    fn literal_in(&mut self, i: u32, mode: Mode) -> Result<Arc<str>> {
-        let file = self.cursor.frame.file.clone();
-        self.decoded(&file, i, mode)
-    }
-
-    fn decoded(&mut self, file: &Lexed, i: u32, mode: Mode) -> Result<Arc<str>> {
+    fn append_literal(&mut self, out: &mut String, file: &Lexed, i: u32, mode: Mode) -> Result<()> {
         let (start, end) = file.strings[i as usize];
         let bytes = &file.text[start as usize..end as usize];
-        if bytes.is_ascii() && !bytes.iter().any(|b| matches!(b, b'\\' | b'\r' | b'\n')) {
-            return Ok(String::from_utf8_lossy(bytes).into());
+        if let Some(plain) = plain_text(bytes) {
+            *out += plain;
+            return Ok(());
         }
         let text: String = match (self.charset, mode) {
             (Charset::Ascii, Mode::Text) if self.lang() < 350 => bytes.iter().map(|&b| b as char).collect(),
@@ -120,7 +136,8 @@ impl Parser<'_> {
             self.warn("non-ascii-string", "characters outside ASCII become spaces; set `charset utf8`", span);
         }
         let text = text.replace("\r\n", "\n").replace("\n\r", "\n").replace('\r', "\n");
-        self.unescaped(text, mode).map(Into::into)
+        *out += &self.unescaped(text, mode)?;
+        Ok(())
     }
 
     fn unescaped(&self, text: String, mode: Mode) -> Result<String> {
@@ -160,31 +177,34 @@ impl Parser<'_> {
         Ok(out + rest)
     }
 
-    fn string_function(&mut self, kw: Kw, mode: Mode) -> Result<String> {
+    fn string_function(&mut self, out: &mut String, kw: Kw, mode: Mode) -> Result<()> {
+        let start = out.len();
         match kw {
             Kw::Str => {
                 let x = self.float()?;
                 let (width, precision) = (self.next_float()?, self.next_float()?);
-                Ok(format::fixed(x, width as i64, precision as i64))
+                format::append_fixed(out, x, width as i64, precision as i64);
+                Ok(())
             }
-            Kw::Vstr => self.vstr(mode),
+            Kw::Vstr => self.vstr(out, mode),
             Kw::Concat => {
-                let mut text = self.string_in(mode)?.to_string();
+                self.append_string(out, mode)?;
                 while self.peek()? != Tok::Punct(')') {
                     self.comma()?;
-                    text += &self.string_in(mode)?;
-                    self.check_length(&text)?;
+                    self.append_string(out, mode)?;
+                    self.check_length(&out[start..])?;
                 }
-                Ok(text)
+                Ok(())
             }
             Kw::Chr => {
                 let code = self.int("a character's code", 0..=65535)?;
-                Ok(char::from_u32(code as u32).unwrap_or('\u{fffd}').into())
+                out.push(char::from_u32(code as u32).unwrap_or('\u{fffd}'));
+                Ok(())
             }
-            Kw::Substr => self.substr(mode),
-            Kw::Strupr => Ok(self.string_in(mode)?.to_ascii_uppercase()),
-            Kw::Strlwr => Ok(self.string_in(mode)?.to_ascii_lowercase()),
-            _ => self.datetime(),
+            Kw::Substr => self.substr(out, mode),
+            Kw::Strupr => self.append_string(out, mode).map(|()| out[start..].make_ascii_uppercase()),
+            Kw::Strlwr => self.append_string(out, mode).map(|()| out[start..].make_ascii_lowercase()),
+            _ => self.datetime().map(|text| *out += &text),
         }
     }
 
@@ -195,29 +215,43 @@ impl Parser<'_> {
         self.error("string-too-long", "this string is longer than a million characters", self.here())
     }
 
-    fn vstr(&mut self, mode: Mode) -> Result<String> {
+    fn vstr(&mut self, out: &mut String, mode: Mode) -> Result<()> {
         let count = (self.float()? as i64).clamp(2, 5) as usize;
         self.comma()?;
         let value = self.additive()?;
         self.comma()?;
         let separator = self.string_in(mode)?;
         let (width, precision) = (self.next_float()? as i64, self.next_float()? as i64);
-        let parts: Vec<String> =
-            value.v[..count].iter().map(|&x| format::fixed(x, width, precision)).collect();
-        Ok(parts.join(&separator))
+        for (i, &x) in value.v[..count].iter().enumerate() {
+            if i > 0 {
+                *out += &separator;
+            }
+            format::append_fixed(out, x, width, precision);
+        }
+        Ok(())
     }
 
-    fn substr(&mut self, mode: Mode) -> Result<String> {
-        let span = self.span();
-        let text = self.string_in(mode)?;
-        let (start, length) = (self.next_float()? as i64, self.next_float()? as i64);
-        let units: Vec<u16> = text.encode_utf16().collect();
-        let last = start.saturating_sub(1).saturating_add(length);
-        if start < 1 || length < 0 || last > units.len() as i64 {
-            let message = format!("characters {start} to {last} of a string of {}", units.len());
+    /// The whole text is added, then all but the wanted part of it taken away.
+    fn substr(&mut self, out: &mut String, mode: Mode) -> Result<()> {
+        let (span, start) = (self.span(), out.len());
+        self.append_string(out, mode)?;
+        let (first, length) = (self.next_float()? as i64, self.next_float()? as i64);
+        let last = first.saturating_sub(1).saturating_add(length);
+        let size = units(&out[start..]);
+        if first < 1 || length < 0 || last > size as i64 {
+            let message = format!("characters {first} to {last} of a string of {size}");
             return self.error("substr-range", message, span);
         }
-        Ok(String::from_utf16_lossy(&units[start as usize - 1..last as usize]))
+        let (first, last) = (first as usize - 1, last as usize);
+        if out[start..].is_ascii() {
+            out.truncate(start + last);
+            out.drain(start..start + first);
+        } else {
+            let wide: Vec<u16> = out[start..].encode_utf16().collect();
+            out.truncate(start);
+            *out += &String::from_utf16_lossy(&wide[first..last]);
+        }
+        Ok(())
     }
 
     fn datetime(&mut self) -> Result<String> {
@@ -240,7 +274,7 @@ impl Parser<'_> {
             }
             let text = p.string()?;
             Ok(match kw {
-                Kw::Strlen => text.encode_utf16().count() as f64,
+                Kw::Strlen => units(&text) as f64,
                 Kw::Asc => text.encode_utf16().next().map_or(0.0, f64::from),
                 Kw::Val => leading_number(&text),
                 _ => {
@@ -250,6 +284,17 @@ impl Parser<'_> {
             })
         })
     }
+}
+
+/// The text itself, where no byte of it means anything but itself.
+fn plain_text(bytes: &[u8]) -> Option<&str> {
+    let plain = bytes.iter().all(|&b| b.is_ascii() && !matches!(b, b'\\' | b'\r' | b'\n'));
+    if plain { std::str::from_utf8(bytes).ok() } else { None }
+}
+
+/// How many UTF-16 units a text has: what the language counts as characters.
+fn units(text: &str) -> usize {
+    if text.is_ascii() { text.len() } else { text.encode_utf16().count() }
 }
 
 /// `strcmp`: the difference of the first units that differ.
@@ -267,12 +312,11 @@ fn compare(a: &str, b: &str) -> f64 {
 /// `atof`: the number at the beginning of a text, 0 if there is none.
 fn leading_number(text: &str) -> f64 {
     let text = text.trim_start();
-    (1..=text.len())
+    let of_number = |b: u8| b.is_ascii_digit() || matches!(b, b'+' | b'-' | b'.' | b'e' | b'E');
+    let most = text.bytes().take_while(|&b| of_number(b)).count();
+    (1..=most)
         .rev()
-        .filter(|&end| {
-            text.is_char_boundary(end)
-                && text.as_bytes()[end - 1].is_ascii_digit() | text[..end].ends_with('.')
-        })
+        .filter(|&end| matches!(text.as_bytes()[end - 1], b'0'..=b'9' | b'.'))
         .find_map(|end| text[..end].parse().ok())
         .unwrap_or(0.0)
 }

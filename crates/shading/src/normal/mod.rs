@@ -67,10 +67,20 @@ impl Normal {
         Compiler::new(noise).normal(normal, false)
     }
 
-    /// The bent normal, unit length. `n` is unit and faces the viewer; the answer need not.
+    /// `no_bump_scale`: do lengths count, so that scaling an object scales its bumps?
+    pub fn keeps_lengths(&self) -> bool {
+        self.scaled
+    }
+
+    /// The bent normal, of unit length unless lengths count. `n` is unit, unless lengths count, and faces the viewer;
+    /// the answer need not.
     pub fn perturb(&self, n: Vec3, p: Vec3, context: &Context) -> Vec3 {
         let bent = self.bend(n, p, context);
-        if bent.is_finite() { bent.normalize_or(n) } else { n }
+        match bent.is_finite() {
+            true if self.scaled => bent,
+            true => bent.normalize_or(n),
+            false => n,
+        }
     }
 
     /// The bent normal with the length that it has by the rules of `no_bump_scale`.

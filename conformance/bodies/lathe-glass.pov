@@ -1,0 +1,8 @@
+// A lathe inside a ball of glass.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 0.3, -4> look_at 0 angle 45 }
+light_source { <3, 5, -6>, rgb 1 }
+lathe { cubic_spline 6, <0, -1.4>, <0.001, -0.8>, <0.7, -0.3>, <0.3, 0.3>, <0.001, 0.9>, <0, 1.4> rotate <-25, 0, 10> pigment { rgb <0.75, 0.55, 0.35> } finish { phong 0.4 } }
+sphere { 0, 1.25 pigment { rgbf <0.95, 1, 0.97, 0.9> } finish { specular 0.6 reflection 0.08 } interior { ior 1.35 } }
+plane { y, -1.4 pigment { checker rgb 0.9 rgb 0.6 } }

@@ -1,0 +1,7 @@
+// A prism that ends in a point over a floor that shows its shadow.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 0.3, -4> look_at 0 angle 45 }
+light_source { <3, 5, -6>, rgb 1 }
+prism { conic_sweep linear_spline 0, 1, 6 <0.9, -0.7>, <0.8, 0.6>, <-0.8, 0.8>, <-0.3, 0>, <-0.7, -0.9>, <0.9, -0.7> rotate 180*x translate 0.7*y scale 1.2 rotate <-20, 20, 0> pigment { rgb <0.75, 0.55, 0.35> } finish { phong 0.4 } }
+plane { y, -1.1 pigment { rgb 0.8 } }

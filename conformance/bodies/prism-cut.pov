@@ -1,0 +1,10 @@
+// A prism along a cubic spline with parts taken away.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 0.3, -4> look_at 0 angle 45 }
+light_source { <3, 5, -6>, rgb 1 }
+difference {
+    prism { cubic_spline -0.6, 0.6, 7 <0.8, -1>, <1, 0.6>, <-1, 0.8>, <-0.7, -0.9>, <0.8, -1>, <1, 0.6>, <-1, 0.8> scale 0.8 rotate <-50, 20, 0> pigment { rgb <0.75, 0.55, 0.35> } finish { phong 0.4 } }
+    sphere { <0.5, 0.5, -0.7>, 0.75 pigment { rgb <0.3, 0.5, 0.8> } }
+    box { <-2, -2, -2>, <-0.35, -0.2, 2> pigment { rgb <0.3, 0.7, 0.4> } }
+}

@@ -1,0 +1,7 @@
+// Quilted as a pigment.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 0, -4> look_at 0 angle 35 }
+light_source { <3, 5, -6>, rgb 1 }
+sphere { <0.45, 0, 0>, 0.75 pigment { quilted control0 0.7 control1 1.3 color_map { [0 rgb <0.1, 0.1, 0.4>] [0.3 rgb <0.9, 0.3, 0.2>] [0.6 rgb <0.95, 0.9, 0.4>] [1 rgb <0.2, 0.7, 0.5>] } scale 0.5 } }
+box { <-1.2, -0.8, 0>, <-0.2, 0.8, 1> rotate <0, 25, 0> pigment { quilted control0 0.7 control1 1.3 color_map { [0 rgb <0.1, 0.1, 0.4>] [0.3 rgb <0.9, 0.3, 0.2>] [0.6 rgb <0.95, 0.9, 0.4>] [1 rgb <0.2, 0.7, 0.5>] } scale 0.5 } }

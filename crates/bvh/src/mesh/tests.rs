@@ -1,0 +1,199 @@
+//! Every kernel against every triangle alone, and against meshes that must not leak.
+use raggio_math::Vec3;
+
+use super::*;
+
+/// A small deterministic generator: the tests need variety, not quality.
+struct Random(u64);
+
+impl Random {
+    fn float(&mut self) -> f32 {
+        self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        (self.0 >> 40) as f32 / (1u64 << 24) as f32 * 2.0 - 1.0
+    }
+    fn point(&mut self) -> [f32; 3] {
+        [self.float(), self.float(), self.float()]
+    }
+}
+
+fn ray(origin: [f32; 3], dir: [f32; 3]) -> MeshRay {
+    MeshRay { origin, t_min: 0.0, dir, t_max: f32::INFINITY }
+}
+
+fn soup(count: u32, size: f32, random: &mut Random) -> (Vec<[f32; 3]>, Vec<[u32; 3]>) {
+    let mut vertices = Vec::new();
+    for _ in 0..count {
+        let centre = random.point();
+        for _ in 0..3 {
+            let d = random.point();
+            vertices.push([0, 1, 2].map(|k| centre[k] + size * d[k]));
+        }
+    }
+    (vertices, (0..count).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect())
+}
+
+/// Every triangle tested on its own, through a structure that holds just that one.
+fn brute_force(vertices: &[[f32; 3]], triangles: &[[u32; 3]], ray: &MeshRay) -> Option<f32> {
+    let one = |t: &[u32; 3]| scalar_closest(&MeshBvh::build(vertices, &[*t]), ray).map(|h| h.t);
+    triangles.iter().filter_map(one).min_by(f32::total_cmp)
+}
+
+fn scalar_closest(bvh: &MeshBvh, ray: &MeshRay) -> Option<MeshHit> {
+    scalar::closest(bvh, ray)
+}
+
+#[test]
+fn every_kernel_agrees_with_brute_force() {
+    let mut random = Random(7);
+    for (count, size) in [(1, 0.5), (3, 0.5), (40, 0.3), (200, 0.05), (200, 2.0)] {
+        let (vertices, triangles) = soup(count, size, &mut random);
+        let mut bvh = MeshBvh::build(&vertices, &triangles);
+        for _ in 0..200 {
+            let ray = ray(random.point().map(|c| 2.0 * c), random.point());
+            let expected = brute_force(&vertices, &triangles, &ray);
+            for isa in wide::Isa::all() {
+                bvh.isa = isa;
+                let found = bvh.closest(&ray).map(|h| h.t);
+                assert_eq!(found.is_some(), expected.is_some(), "{isa:?} {ray:?}");
+                if let (Some(a), Some(b)) = (found, expected) {
+                    assert!((a - b).abs() <= 1e-5 * b.abs().max(1.0), "{isa:?} {a} {b}");
+                }
+                assert_eq!(bvh.any(&ray), expected.is_some(), "{isa:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn nothing_coincident_flat_and_huge_are_harmless() {
+    let p = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1e18, 1e18, 0.0]];
+    let down = ray([0.2, 0.3, 1.0], [0.0, 0.0, -1.0]);
+    assert_eq!(MeshBvh::build(&p, &[]).closest(&down), None);
+    let same = MeshBvh::build(&p, &[[0, 1, 2]; 1000]);
+    assert_eq!(same.closest(&down).map(|h| h.t), Some(1.0));
+    let degenerate = MeshBvh::build(&p, &[[0, 0, 1], [1, 1, 1]]);
+    assert!(!degenerate.any(&down));
+    let huge = MeshBvh::build(&p, &[[0, 1, 3], [0, 1, 2]]);
+    assert_eq!(huge.closest(&down).map(|h| h.triangle), Some(1));
+}
+
+#[test]
+fn packets_agree_with_single_rays() {
+    let mut random = Random(11);
+    let (vertices, triangles) = soup(300, 0.2, &mut random);
+    let bvh = MeshBvh::build(&vertices, &triangles);
+    for n in 0..300 {
+        // Narrow bundles, wide ones, and some without any coherence.
+        let spread = [0.02, 0.3, 4.0][n % 3];
+        let (origin, dir) = (random.point().map(|c| 3.0 * c), random.point());
+        let rays: [MeshRay; 16] = std::array::from_fn(|_| {
+            let d = random.point();
+            ray(origin, [0, 1, 2].map(|k| dir[k] + spread * d[k]))
+        });
+        let packet = Packet::new(&rays);
+        let (hits, any) = (bvh.closest_packet(&packet), bvh.any_packet(&packet));
+        for (i, ray) in rays.iter().enumerate() {
+            let single = bvh.closest(ray).map_or((f32::INFINITY, u32::MAX), |h| (h.t, h.triangle));
+            assert_eq!(any >> i & 1 == 1, single.1 != u32::MAX, "{ray:?}");
+            let close = hits.t[i] == single.0 || (hits.t[i] - single.0).abs() < 1e-5 * single.0;
+            assert!(close, "{} {} {ray:?}", hits.t[i], single.0);
+        }
+    }
+}
+
+/// A closed, finely divided sphere seen from inside: every ray must hit, those through edges and corners too.
+#[test]
+fn a_closed_mesh_leaks_nowhere() {
+    let (rows, columns) = (24u32, 31u32);
+    let mut vertices = vec![[0.0, 1.0, 0.0], [0.0, -1.0, 0.0]];
+    for i in 1..rows {
+        for j in 0..columns {
+            let (a, b) = (
+                i as f32 / rows as f32 * std::f32::consts::PI,
+                j as f32 / columns as f32 * std::f32::consts::TAU,
+            );
+            vertices.push([a.sin() * b.cos(), a.cos(), a.sin() * b.sin()]);
+        }
+    }
+    let at = |i: u32, j: u32| match i {
+        0 => 0,
+        i if i == rows => 1,
+        i => 2 + (i - 1) * columns + j % columns,
+    };
+    let mut triangles = Vec::new();
+    for i in 0..rows {
+        for j in 0..columns {
+            triangles.push([at(i, j), at(i + 1, j), at(i + 1, j + 1)]);
+            triangles.push([at(i, j), at(i + 1, j + 1), at(i, j + 1)]);
+        }
+    }
+    let mut bvh = MeshBvh::build(&vertices, &triangles);
+    let mut random = Random(3);
+    for n in 0..200_000 {
+        let origin = random.point().map(|c| 0.3 * c);
+        let t = triangles[n % triangles.len()];
+        let (a, b) = (vertices[t[n % 3] as usize], vertices[t[(n + 1) % 3] as usize]);
+        let w = if n % 7 == 0 { 0.0 } else { 0.5 + 0.5 * random.float() };
+        let target = [0, 1, 2].map(|k| a[k] + w * (b[k] - a[k]));
+        let through_edge = ray(origin, [0, 1, 2].map(|k| target[k] - origin[k]));
+        for isa in wide::Isa::all() {
+            bvh.isa = isa;
+            assert!(bvh.any(&through_edge), "{isa:?} {through_edge:?}");
+        }
+    }
+}
+
+/// The hit of a ray in double precision with one triangle, by Cramer's rule.
+fn alone(corners: [Vec3; 3], ray: &Ray) -> Option<f64> {
+    let [a, b, c] = corners;
+    let (e1, e2, from) = (b - a, c - a, ray.origin - a);
+    let p = ray.dir.cross(e2);
+    let (u, q) = (from.dot(p) / e1.dot(p), from.cross(e1));
+    let v = ray.dir.dot(q) / e1.dot(p);
+    let t = e2.dot(q) / e1.dot(p);
+    (u >= 0.0 && v >= 0.0 && u + v <= 1.0 && t > 0.0).then_some(t)
+}
+
+/// Meshes of all sizes, near the origin and far from it, hit from near and from far away.
+#[test]
+fn rays_in_double_precision_are_exact_at_any_scale() {
+    let mut random = Random(5);
+    for (scale, offset, away) in [
+        (1.0, 0.0, 2.0),
+        (1e-20, 0.0, 3.0),
+        (1e20, 0.0, 2.0),
+        (1.0, 1e4, 2.0),
+        (1e-3, 10.0, 1e6),
+        (1e3, -1e7, 1e4),
+    ] {
+        let (mut vertices, triangles) = soup(300, 0.3, &mut random);
+        vertices.iter_mut().flatten().for_each(|c| *c = *c * scale + offset);
+        let mut bvh = MeshBvh::build(&vertices, &triangles);
+        let vector = |p: [f32; 3]| Vec3::from_array(p.map(f64::from));
+        for _ in 0..200 {
+            let target =
+                bvh.bounds().min + (bvh.bounds().max - bvh.bounds().min) * (vector(random.point()) + 0.5);
+            let origin = vector(random.point()).normalize() * f64::from(scale) * away + f64::from(offset);
+            let ray = Ray::new(origin, (target - origin).normalize());
+            let mut expected: Vec<f64> = triangles
+                .iter()
+                .filter_map(|t| alone(t.map(|i| vector(vertices[i as usize])), &ray))
+                .collect();
+            expected.sort_by(f64::total_cmp);
+            for isa in wide::Isa::all() {
+                bvh.isa = isa;
+                let mut all = Vec::new();
+                bvh.all(&ray, (0.0, f64::INFINITY), |hit| all.push(hit.t));
+                all.sort_by(f64::total_cmp);
+                assert_eq!(all.len(), expected.len(), "{isa:?} {scale} {ray:?}");
+                let near = |a: f64, b: f64| (a - b).abs() <= 1e-9 * b;
+                assert!(all.iter().zip(&expected).all(|(&a, &b)| near(a, b)), "{isa:?} {all:?} {expected:?}");
+                let first = |stop: bool| bvh.nearest(&ray, (0.0, f64::INFINITY), |_| stop).map(|h| h.t);
+                assert_eq!(first(false), all.first().copied(), "{isa:?}");
+                assert!(
+                    first(true).is_none_or(|t| all.contains(&t)) && first(true).is_some() != all.is_empty()
+                );
+            }
+        }
+    }
+}

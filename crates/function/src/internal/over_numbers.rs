@@ -1,0 +1,34 @@
+//! Internal functions computed with numbers.
+#[path = "curves.rs"]
+pub(super) mod curves;
+#[path = "lumps.rs"]
+pub(super) mod lumps;
+#[path = "point.rs"]
+mod point;
+#[path = "polynomials.rs"]
+pub(super) mod polynomials;
+
+use crate::builtin::{maximum, minimum};
+
+pub(super) type N = f64;
+pub(super) type Args = super::Args<N>;
+
+pub(super) fn squared(v: N) -> N {
+    v * v
+}
+
+/// Within -10 and 10; not-a-number gives -10.
+pub(super) fn clipped(v: N) -> N {
+    minimum(maximum(-10.0, v), 10.0)
+}
+
+/// The length of the vector (x, y). Faster than `f64::hypot`, which also minds overflow.
+pub(super) fn length(x: N, y: N) -> N {
+    (x * x + y * y).sqrt()
+}
+
+/// The point (x, y) turned by an angle in radians.
+pub(super) fn turned(x: N, y: N, angle: f64) -> (N, N) {
+    let (sin, cos) = angle.sin_cos();
+    (x * cos - y * sin, x * sin + y * cos)
+}
