@@ -34,6 +34,18 @@ pub struct List {
 }
 
 impl Shaft {
+    /// A box instead of a shaft.
+    pub(crate) fn of_box(b: &Aabb) -> Shaft {
+        let corner = |i: usize| {
+            let pick = |bit: usize, lo: f64, hi: f64| if i & bit == 0 { lo } else { hi };
+            Vec3::new(pick(1, b.min.x, b.max.x), pick(2, b.min.y, b.max.y), pick(4, b.min.z, b.max.z))
+        };
+        Shaft {
+            corners: std::array::from_fn(corner),
+            region: Region { bounds: *b, planes: [(Vec3::ZERO, 0.0); 4] },
+        }
+    }
+
     /// The shaft from `p` to the patch with corners in order around it, from the distance `start` on. `None` where the
     /// point lies in a corner.
     pub fn new(p: Vec3, patch: [Vec3; 4], start: f64) -> Option<Shaft> {

@@ -1,5 +1,4 @@
 //! A scene's objects, compiled: what rays are shot at.
-use std::cell::Cell;
 use std::sync::Arc;
 
 use raggio_math::{Aabb, Affine, MAX_DISTANCE, MIN_HIT, Ray, Vec2, Vec3};
@@ -9,7 +8,7 @@ use smallvec::SmallVec;
 use crate::flatten::{Flat, flatten};
 use crate::index::ENOUGH;
 use crate::probe::Probe;
-use crate::shaft::Standing;
+use crate::shaft::{Shaft, Standing};
 use crate::texturing::{Parts, Texturing};
 use crate::tree::{Group, Node, NodeRef, Scratch, Tree};
 
@@ -177,16 +176,13 @@ pub struct Geometry {
     pub interiors: Vec<InteriorInfo>,
     /// Lights found in the tree, global ones and those of groups, in the order of the scene.
     pub lights: Vec<PlacedLight>,
+    /// Are the texture coordinates of interactions worked out? They are zero otherwise.
+    pub asks_uv: bool,
     pub(crate) tree: Tree,
     /// The outermost union.
     pub(crate) world: Group,
     bounds: Aabb,
     parts: Parts,
-}
-
-thread_local! {
-    /// Room for lists of hits, so that no ray allocates.
-    static SCRATCH: Cell<Scratch> = Cell::default();
 }
 
 impl Geometry {
@@ -214,6 +210,7 @@ impl Geometry {
             textures: materials.textures,
             interiors: materials.interiors,
             lights,
+            asks_uv: true,
             tree: Tree { leaves, groups },
             world,
             bounds,
@@ -225,12 +222,8 @@ impl Geometry {
     /// [`MIN_HIT`] or farther than [`MAX_DISTANCE`] is ever hit.
     pub fn closest(&self, ray: &Ray, range: (f64, f64), class: RayClass) -> Option<Hit> {
         let range = (range.0.max(MIN_HIT), range.1.min(MAX_DISTANCE));
-        let mut scratch = SCRATCH.take();
-        let hit =
-            self.tree
-                .group_closest(&self.world, &Probe::new(ray), range, class.bit(), &mut scratch, &|_| false);
-        SCRATCH.set(scratch);
-        hit
+        let mut scratch = Scratch::default();
+        self.tree.group_closest(&self.world, &Probe::new(ray), range, class.bit(), &mut scratch, &|_| false)
     }
 
     /// Like [`Geometry::closest`], but any hit that `stops` says yes to ends the search: the answer is the nearest hit,
@@ -247,7 +240,7 @@ impl Geometry {
     ) -> Option<Hit> {
         let range = (range.0.max(MIN_HIT), range.1.min(MAX_DISTANCE));
         let probe = Probe::new(ray);
-        let mut scratch = SCRATCH.take();
+        let mut scratch = Scratch::default();
         let mut best: Option<Hit> = None;
         let stands = |m: &u32| match standing {
             Standing::Anything => (*m as usize) < self.world.members.len(),
@@ -281,7 +274,6 @@ impl Geometry {
                 }
             }
         }
-        SCRATCH.set(scratch);
         best
     }
 
@@ -307,7 +299,7 @@ impl Geometry {
         Interaction {
             p,
             n,
-            uv: leaves.uv(hit, local, p),
+            uv: if self.asks_uv { leaves.uv(hit, local, p) } else { Vec2::ZERO },
             from_inside,
             material: leaves.leaves[hit.leaf as usize].material,
             textures: texturing.at(hit, p, local, from_inside),
@@ -334,6 +326,14 @@ impl Geometry {
             self.interiors_of(self.world.members[m as usize].node, p, true, &mut found);
         }
         found
+    }
+
+    /// The interiors of all objects that contain the points of a box, if they are plainly the same for all.
+    pub fn interiors_within(&self, b: &Aabb) -> Option<SmallVec<[InteriorId; 8]>> {
+        match self.standing_in(&Shaft::of_box(b), RayClass::Any) {
+            Standing::Listed(list) if list.is_empty() => Some(self.interiors_at(b.centre())),
+            _ => None,
+        }
     }
 
     /// The interiors of a node that contains the point: those of its leaves that contain it. What merely cuts has no

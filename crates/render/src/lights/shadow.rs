@@ -5,7 +5,7 @@ use raggio_math::{Ray, Vec3};
 use raggio_shading::{Context, Layer};
 
 use super::{AreaGrid, LightSource, Path, area};
-use crate::integrator::{Interiors, NormalPath, Tracer, fade, for_each_plain, placed, toggle};
+use crate::integrator::{Interiors, NormalPath, Tracer, copied, fade, for_each_plain, placed, toggle};
 
 /// Nearer than this to either end of a segment nothing casts a shadow.
 pub const SHADOW_TOLERANCE: f64 = 1e-3;
@@ -104,7 +104,7 @@ impl Tracer<'_> {
                 return Rgb::ZERO;
             }
             let surface = world.geometry.interaction(&ray, &hit);
-            let inside = list.get_or_insert_with(|| interiors.clone());
+            let inside = list.get_or_insert_with(|| copied(interiors));
             light *= self.filter(&ray, hit.t, &surface, inside);
             if light == Rgb::ZERO {
                 return light;
