@@ -8,11 +8,16 @@ use std::time::Duration;
 
 use raggio_bvh::mesh::{MeshBvh, MeshRay, Packet, PacketHit};
 
-type Error = Box<dyn std::error::Error>;
+type Error = Box<dyn std::error::Error + Send + Sync>;
 /// Points and the triangles between them.
 type Mesh = (Vec<[f32; 3]>, Vec<[u32; 3]>);
 
 fn main() -> Result<(), Error> {
+    // One thread does it all, so that its time is all the time.
+    rayon::ThreadPoolBuilder::new().num_threads(1).build()?.install(measure)
+}
+
+fn measure() -> Result<(), Error> {
     let args: Vec<String> = std::env::args().skip(1).collect();
     let [mesh, rays @ ..] = &args[..] else {
         return Err("usage: mesh_rays MESH.tri A.ray [B.ray ...]".into());

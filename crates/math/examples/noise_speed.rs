@@ -5,8 +5,8 @@ use std::time::Instant;
 use raggio_math::Vec3;
 use raggio_math::noise::{dnoise, noise, turbulence};
 
-const COUNT: u32 = 200_000;
-const RUNS: usize = 40;
+const COUNT: u32 = 10_000;
+const RUNS: usize = 500;
 
 /// Prints the best of many short runs, so that other work on the machine counts little.
 fn report(name: &str, evaluate: impl Fn(Vec3) -> f64) {

@@ -32,8 +32,9 @@ pub(crate) fn load(path: &Path, options: &SceneOptions) -> Result<Loaded, Failur
         .map_err(|fault| failed(Diagnostic::error("bad-model", format!("{name}: {fault}"), None)))?;
     drop(bytes);
     let mut loaded = stage(options, &files)?;
-    let stage_from_mesh = placement(&mesh, up(Format::from_name(&name)));
-    frame(&mut loaded.scene.camera, &mesh, &stage_from_mesh);
+    let points = Points::of(&mesh);
+    let stage_from_mesh = placement(&points, up(Format::from_name(&name)));
+    frame(&mut loaded.scene.camera, &points, &stage_from_mesh);
     for object in &mut loaded.scene.objects {
         if matches!(&object.kind, ObjectKind::Shape(_)) {
             let object = Arc::make_mut(object);
@@ -75,18 +76,34 @@ fn up(format: Option<Format>) -> Vec3 {
     }
 }
 
-/// Stands the model upright with the middle of its box at the origin, the box in the unit ball.
-fn placement(mesh: &Mesh, up: Vec3) -> Affine {
-    let (mut low, mut high) = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
-    // Vertices that no triangle has do not count.
-    for &i in mesh.faces.corners.iter().flatten() {
-        let p = mesh.vertices[i as usize];
-        for k in 0..3 {
-            low[k] = low[k].min(p[k]);
-            high[k] = high[k].max(p[k]);
+/// The vertices that triangles have; others do not count. Asking each triangle for its corners would take several
+/// times as long.
+struct Points<'a> {
+    vertices: &'a [[f32; 3]],
+    used: Vec<bool>,
+}
+
+impl Points<'_> {
+    fn of(mesh: &Mesh) -> Points<'_> {
+        let mut used = vec![false; mesh.vertices.len()];
+        for &i in mesh.faces.corners.iter().flatten() {
+            used[i as usize] = true;
         }
+        Points { vertices: &mesh.vertices, used }
     }
-    let [low, high] = [low, high].map(|p| Vec3::from_array(p.map(f64::from)));
+
+    fn iter(&self) -> impl Iterator<Item = Vec3> {
+        let used = self.vertices.iter().zip(&self.used).filter(|(_, used)| **used);
+        used.map(|(&[x, y, z], _)| Vec3::new(f64::from(x), f64::from(y), f64::from(z)))
+    }
+}
+
+/// Stands the model upright with the middle of its box at the origin, the box in the unit ball.
+fn placement(points: &Points, up: Vec3) -> Affine {
+    let (mut low, mut high) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
+    for p in points.iter() {
+        (low, high) = (low.min(p), high.max(p));
+    }
     let radius = (high - low).length() / 2.0;
     let upright = match up == Vec3::Z {
         true => Mat3::from_cols(Vec3::X, -Vec3::Z, Vec3::Y),
@@ -98,16 +115,15 @@ fn placement(mesh: &Mesh, up: Vec3) -> Affine {
 }
 
 /// Moves the camera along its view until the model fills the picture.
-fn frame(camera: &mut Camera, mesh: &Mesh, stage_from_mesh: &Affine) {
+fn frame(camera: &mut Camera, points: &Points, stage_from_mesh: &Affine) {
     let (ahead, up, right) = (camera.direction, camera.up, camera.right);
     // How far to the side one sees at depth 1.
     let side = |axis: Vec3| axis.length() / 2.0 / ahead.length() / MARGIN;
     let (across, along) = (side(right), side(up));
     let (ahead, up, right) = (ahead.normalize(), up.normalize(), right.normalize());
     let mut away = 0.0f64;
-    for &i in mesh.faces.corners.iter().flatten() {
-        let p = mesh.vertices[i as usize].map(f64::from);
-        let p = stage_from_mesh.transform_point3(Vec3::from_array(p));
+    for p in points.iter() {
+        let p = stage_from_mesh.transform_point3(p);
         let needed = (p.dot(right).abs() / across).max(p.dot(up).abs() / along);
         away = away.max(needed - p.dot(ahead));
     }

@@ -22,8 +22,6 @@ mod wide;
 
 use raggio_math::{Aabb, Ray};
 
-use crate::mesh::build::Builder;
-
 /// A ray in single precision with the range that counts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C, align(32))]
@@ -150,7 +148,7 @@ pub struct PacketHit {
 impl MeshBvh {
     /// Builds over triangles given by indices into `vertices`. Coordinates must be finite.
     pub fn build(vertices: &[[f32; 3]], triangles: &[[u32; 3]]) -> MeshBvh {
-        let (nodes, blocks, root, bounds) = Builder::new(vertices, triangles).build();
+        let (build::Tree { nodes, blocks, root }, bounds) = build::build(vertices, triangles);
         let isa = *wide::Isa::all().last().unwrap_or(&wide::Isa::Scalar);
         MeshBvh { nodes, blocks, root, bounds, isa }
     }

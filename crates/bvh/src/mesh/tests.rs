@@ -197,3 +197,28 @@ fn rays_in_double_precision_are_exact_at_any_scale() {
         }
     }
 }
+
+/// Large meshes are built in parts, by all threads.
+#[test]
+fn large_meshes_are_the_same_for_any_number_of_threads() {
+    let (vertices, triangles) = soup(150_000, 0.01, &mut Random(9));
+    let built = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
+        pool.install(|| MeshBvh::build(&vertices, &triangles))
+    };
+    let (one, three) = (built(1), built(3));
+    let blocks = |bvh: &MeshBvh| bvh.blocks.iter().map(|block| block.triangle).collect::<Vec<_>>();
+    let nodes = |bvh: &MeshBvh| bvh.nodes.iter().map(|node| (node.bounds, node.child)).collect::<Vec<_>>();
+    assert!(nodes(&one) == nodes(&three) && blocks(&one) == blocks(&three) && one.root == three.root);
+    let mut listed: Vec<u32> = blocks(&one).into_iter().flatten().filter(|&t| t != u32::MAX).collect();
+    listed.sort_unstable();
+    assert!(listed.into_iter().eq(0..150_000));
+    for i in (0..150_000).step_by(997) {
+        let corners = triangles[i].map(|v| Vec3::from_array(vertices[v as usize].map(f64::from)));
+        let target = (corners[0] + corners[1] + corners[2]) / 3.0;
+        let ray = Ray::new(target - Vec3::Z, Vec3::Z);
+        let mut found = false;
+        one.all(&ray, (0.0, 2.0), |hit| found |= hit.face as usize == i);
+        assert!(found, "{i}");
+    }
+}

@@ -25,6 +25,7 @@ mod quaternion;
 #[cfg(test)]
 mod recorded_tests;
 mod revolve;
+mod sheet;
 mod sor;
 mod sphere;
 mod sphere_sweep;

@@ -59,7 +59,7 @@ impl Dither {
 
 /// A value in 0..=1 as one of the whole numbers 0..=max.
 pub(super) fn rounded(v: f32, max: f32) -> u16 {
-    (v.clamp(0.0, 1.0) * max + 0.5).floor() as u16
+    (v.clamp(0.0, 1.0) * max + 0.5) as u16
 }
 
 /// Rounds the values of one channel, pixel after pixel, rows from the top.

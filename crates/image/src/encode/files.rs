@@ -38,6 +38,8 @@ pub fn write_png(bitmap: &Bitmap, out: &mut impl Write) -> Result<(), EncodeErro
     };
     let mut encoder = png::Encoder::new(out, width, height);
     encoder.set_color(color);
+    // A fifth of the usual level's time, for files a tenth larger.
+    encoder.set_deflate_compression(png::DeflateCompression::Level(2));
     encoder.set_depth(if depth == 16 { png::BitDepth::Sixteen } else { png::BitDepth::Eight });
     match bitmap.curve {
         FileCurve::Stated(Curve::Power(g)) => encoder.set_source_gamma(png::ScaledFloat::new(1.0 / g)),

@@ -1,4 +1,8 @@
 //! Lattice noise: a value and a gradient at each integer point, mixed between (textures spec, section 1.2).
+//!
+//! What stands here runs everywhere and says what noise is; `avx2` does the same where it can.
+#[cfg(target_arch = "x86_64")]
+use super::avx2;
 use super::s_curve;
 use super::tables::HASH;
 use super::values::VALUES;
@@ -38,7 +42,7 @@ impl Cell {
     fn at(p: Vec3) -> Cell {
         let ((ix, fx), (iy, fy), (iz, fz)) = (split(p.x), split(p.y), split(p.z));
         let (sy, sz) = (s_curve(fy), s_curve(fz));
-        let h = |i: usize| usize::from(HASH[i & 8191]);
+        let h = |i: usize| usize::from(HASH[i & 4095]);
         let (x0, x1) = (h(ix), h(ix + 1));
         let sides = [h(x0 ^ iy), h(x0 ^ (iy + 1)), h(x1 ^ iy), h(x1 ^ (iy + 1))];
         let corner = |side: usize, dz: usize| h(sides[side] ^ (iz + dz)) & 255;
@@ -68,30 +72,99 @@ impl Cell {
     /// Channel `M` at the point. Inlined always: what the corners share then stays in registers.
     #[inline(always)]
     fn channel<const M: usize>(&self) -> f64 {
-        let side = |first: usize| {
-            let mut sum = f64x4::new([0.0; 4]);
-            for i in 0..4 {
-                let at = (self.corners[first + i] & 255) + 4 * M;
-                let row = f64x4::new([VALUES[at], VALUES[at + 1], VALUES[at + 2], VALUES[at + 3]]);
-                sum += row * self.factors[i];
-            }
-            sum.to_array()
+        let part = |i: usize| {
+            let at = (self.corners[i] & 255) + 4 * M;
+            let row = f64x4::new([VALUES[at], VALUES[at + 1], VALUES[at + 2], VALUES[at + 3]]);
+            row * self.factors[i & 3]
         };
+        let side = |i: usize| ((part(i) + part(i + 1)) + (part(i + 2) + part(i + 3))).to_array();
         let ([value, x, y, z], [value1, x1, y1, z1]) = (side(0), side(4));
         let near = (value + y) + (z + x * self.fx);
         let far = (value1 + y1) + (z1 + x1 * (self.fx - 1.0));
         near + self.sx * (far - near)
+    }
+
+    #[inline(always)]
+    fn scalar(&self) -> f64 {
+        self.channel::<0>()
+    }
+
+    #[inline(always)]
+    fn vector(&self) -> Vec3 {
+        Vec3::new(self.channel::<0>(), self.channel::<1>(), self.channel::<2>())
     }
 }
 
 /// Raw scalar noise, about -0.95 to 0.95.
 #[inline]
 pub(super) fn scalar(p: Vec3) -> f64 {
-    Cell::at(p).channel::<0>()
+    #[cfg(target_arch = "x86_64")]
+    if let Some(noise) = avx2::scalar(p) {
+        return noise;
+    }
+    Cell::at(p).scalar()
+}
+
+/// Raw scalar noise at `p` times `scale`, times `lambda` more for each that follows.
+#[inline]
+pub(super) fn scalars(p: Vec3, mut scale: f64, lambda: f64, out: &mut [f64]) {
+    #[cfg(target_arch = "x86_64")]
+    if avx2::scalars(p, scale, lambda, out).is_some() {
+        return;
+    }
+    for out in out {
+        *out = Cell::at(p * scale).scalar();
+        scale *= lambda;
+    }
 }
 
 /// Vector noise at a point: three channels of lattice noise, each about -1 to 1, the same for every generator.
+#[inline]
 pub fn dnoise(p: Vec3) -> Vec3 {
-    let cell = Cell::at(p);
-    Vec3::new(cell.channel::<0>(), cell.channel::<1>(), cell.channel::<2>())
+    #[cfg(target_arch = "x86_64")]
+    if let Some(noise) = avx2::vector(p) {
+        return noise;
+    }
+    Cell::at(p).vector()
+}
+
+/// Vector noise at `p` times `scale`, times `lambda` more for each that follows.
+#[inline]
+pub(super) fn vectors(p: Vec3, mut scale: f64, lambda: f64, out: &mut [Vec3]) {
+    #[cfg(target_arch = "x86_64")]
+    if avx2::vectors(p, scale, lambda, out).is_some() {
+        return;
+    }
+    for out in out {
+        *out = Cell::at(p * scale).vector();
+        scale *= lambda;
+    }
+}
+
+#[cfg(all(test, target_arch = "x86_64"))]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn both_ways_give_the_same_bits() {
+        for i in 0..20_000 {
+            let t = f64::from(i);
+            let p = match i % 4 {
+                0 => Vec3::new(t * 0.37 - 900.0, 130.0 - t * 0.11, t * 0.0053),
+                1 => Vec3::new(-t, t * 0.5, 3.0 - EPS / 2.0),
+                2 => Vec3::new(t * 1e5, -t * 7.7e6, 0.1 * t),
+                _ => Vec3::new(-1e-12 * t, -0.0, t - 1e-9),
+            };
+            let (scalar, vector) = (Cell::at(p).scalar(), Cell::at(p).vector());
+            let Some(wide) = avx2::scalar(p) else { return };
+            assert_eq!(scalar, wide, "{p}");
+            assert_eq!(Some(vector), avx2::vector(p), "{p}");
+            let scales = [1.5, 1.5 * 2.1, 1.5 * 2.1 * 2.1];
+            let (mut scalars, mut vectors) = ([0.0; 3], [Vec3::ZERO; 3]);
+            avx2::scalars(p, 1.5, 2.1, &mut scalars);
+            avx2::vectors(p, 1.5, 2.1, &mut vectors);
+            assert_eq!(scalars, scales.map(|scale| Cell::at(p * scale).scalar()), "{p}");
+            assert_eq!(vectors, scales.map(|scale| Cell::at(p * scale).vector()), "{p}");
+        }
+    }
 }

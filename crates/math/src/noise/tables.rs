@@ -13,11 +13,13 @@ pub(super) const fn bits15(r: u32) -> usize {
     ((r >> 16) & 0x7fff) as usize
 }
 
-/// The lattice's permutation of 0..4096, stored twice so that `H[a ^ b]` needs no second mask.
-pub(super) static HASH: [u16; 8192] = hash_table();
+/// The lattice's permutation of 0..4096. Small tables leave the cache to others.
+pub(super) static HASH: [u16; 4096] = HASH_TABLE;
 
-const fn hash_table() -> [u16; 8192] {
-    let mut h = [0u16; 8192];
+const HASH_TABLE: [u16; 4096] = hash_table();
+
+const fn hash_table() -> [u16; 4096] {
+    let mut h = [0u16; 4096];
     let mut i = 0;
     while i < 4096 {
         h[i] = i as u16;
@@ -32,12 +34,19 @@ const fn hash_table() -> [u16; 8192] {
         h[i] = h[j];
         h[j] = swapped;
     }
-    while i < 4096 {
-        h[4096 + i] = h[i];
-        i += 1;
-    }
     h
 }
+
+/// The low bytes of [`HASH`]: where the numbers of a corner begin.
+pub(super) static HASH_BYTES: [u8; 4096] = {
+    let mut bytes = [0; 4096];
+    let mut i = 0;
+    while i < 4096 {
+        bytes[i] = HASH_TABLE[i] as u8;
+        i += 1;
+    }
+    bytes
+};
 
 /// Number of gradients, and the period of gradient noise.
 pub(super) const GRADIENTS: usize = 2048;

@@ -1,44 +1,41 @@
 //! Sums of noise over octaves (textures spec, section 1.5).
-use super::{clamp01, dnoise, noise};
+use super::{clamp01, doctaves, octaves};
 use crate::Vec3;
 
+/// The most octaves that count.
+const MOST: usize = 10;
+
 /// Octaves outside this range are clipped to it.
-fn octaves_in_range(octaves: u32) -> u32 {
-    octaves.clamp(1, 10)
+fn octaves_in_range(octaves: u32) -> usize {
+    (octaves as usize).clamp(1, MOST)
 }
 
 /// Scalar turbulence: `octaves` (1 to 10) of noise, each `lambda` times finer and `omega` times weaker than the one
 /// before. Not normalised. `omega` and `lambda` are single precision because the language keeps them so.
-pub fn turbulence(generator: u8, p: Vec3, octaves: u32, omega: f32, lambda: f32) -> f64 {
-    // Chosen once, not once an octave.
-    match generator {
-        1 => sum_octaves(|q| noise(1, q), p, octaves, omega, lambda),
-        3 => sum_octaves(|q| 2.0 * noise(3, q) - 0.5, p, octaves, omega, lambda),
-        _ => sum_octaves(|q| 2.0 * noise(2, q) - 0.5, p, octaves, omega, lambda),
-    }
-}
-
-fn sum_octaves(octave: impl Fn(Vec3) -> f64, p: Vec3, octaves: u32, omega: f32, lambda: f32) -> f64 {
-    let (omega, lambda) = (f64::from(omega), f64::from(lambda));
-    let mut sum = clamp01(octave(p));
-    let (mut weight, mut scale) = (omega, lambda);
-    for _ in 1..octaves_in_range(octaves) {
-        sum += weight * octave(p * scale);
+pub fn turbulence(generator: u8, p: Vec3, octaves_wanted: u32, omega: f32, lambda: f32) -> f64 {
+    let mut values = [0.0; MOST];
+    let values = &mut values[..octaves_in_range(octaves_wanted)];
+    octaves(generator, p, 1.0, lambda.into(), values);
+    let octave = |n: f64| if generator == 1 { n } else { 2.0 * n - 0.5 };
+    let omega = f64::from(omega);
+    let mut sum = clamp01(octave(values[0]));
+    let mut weight = omega;
+    for n in values[1..].iter().copied() {
+        sum += weight * octave(n);
         weight *= omega;
-        scale *= lambda;
     }
     sum
 }
 
-/// Vector turbulence: octaves of [`dnoise`] summed in the same way.
+/// Vector turbulence: octaves of [`dnoise`](super::dnoise) summed in the same way.
 pub fn dturbulence(p: Vec3, octaves: u32, omega: f32, lambda: f32) -> Vec3 {
-    let (omega, lambda) = (f64::from(omega), f64::from(lambda));
-    let mut sum = dnoise(p);
-    let (mut weight, mut scale) = (omega, lambda);
-    for _ in 1..octaves_in_range(octaves) {
-        sum += dnoise(p * scale) * weight;
-        weight *= omega;
-        scale *= lambda;
+    let mut values = [Vec3::ZERO; MOST];
+    let values = &mut values[..octaves_in_range(octaves)];
+    doctaves(p, 1.0, lambda.into(), values);
+    let (mut sum, mut weight) = (Vec3::ZERO, 1.0);
+    for value in values {
+        sum += *value * weight;
+        weight *= f64::from(omega);
     }
     sum
 }

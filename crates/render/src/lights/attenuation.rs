@@ -99,7 +99,11 @@ impl LightSource {
     /// How the light fades over a way.
     pub fn fading(&self, way: f64) -> f64 {
         match self.fade {
-            Some((distance, exponent)) => 2.0 / (1.0 + (way / distance).abs().powf(exponent)),
+            Some((distance, exponent)) => {
+                let way = (way / distance).abs();
+                let power = if exponent == 2.0 { way * way } else { way.powf(exponent) };
+                2.0 / (1.0 + power)
+            }
             None => 1.0,
         }
     }

@@ -72,9 +72,11 @@ impl MediaList {
 
 impl Medium {
     fn new(media: &scene::Media, world_from_media: &Affine, noise: Noise) -> Medium {
-        let densities: Vec<_> = media
-            .densities
-            .iter()
+        // Where a density is nothing, those after it are not asked: the cheap ones go first.
+        let mut written: Vec<_> = media.densities.iter().collect();
+        written.sort_by_key(|density| effort(&density.item.0));
+        let densities: Vec<_> = written
+            .into_iter()
             .map(|density| {
                 let world_from_density = *world_from_media * density.parent_from_item;
                 (Pigment::compile(&density.item.0, noise), world_from_density.inverse())
@@ -105,6 +107,9 @@ impl Medium {
         let mut product = Rgb::ONE;
         for density in &self.densities {
             product *= at(density);
+            if product == Rgb::ZERO {
+                break;
+            }
         }
         product
     }
@@ -136,6 +141,28 @@ impl Sampling {
             aa_level: media.aa_level,
             aa_threshold: media.aa_threshold,
         }
+    }
+}
+
+/// About how long a pigment takes: 0 for a simple formula, 1 for much noise, crackle and the like.
+fn effort(pigment: &scene::Pigment) -> u8 {
+    use scene::{PatternKind, Warp};
+    let turbulent = |warp: &Warp| matches!(warp, Warp::Turbulence(_) | Warp::ClassicTurbulence(_));
+    let of = |pattern: &scene::Pattern| {
+        let simple = matches!(
+            pattern.kind,
+            PatternKind::Boxed
+                | PatternKind::Cylindrical
+                | PatternKind::Gradient(_)
+                | PatternKind::Planar
+                | PatternKind::Spherical
+        );
+        u8::from(!simple || pattern.warps.iter().any(turbulent))
+    };
+    match &pigment.kind {
+        PigmentKind::Solid(_) => 0,
+        PigmentKind::ColorMap { pattern, .. } => of(pattern),
+        _ => 1,
     }
 }
 

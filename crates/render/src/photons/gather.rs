@@ -17,6 +17,8 @@ pub struct State<'w> {
     expand_increase: f64,
     expand_min: usize,
     nearest: Nearest,
+    /// What the first search found, while the second looks farther.
+    first: Nearest,
 }
 
 impl<'w> State<'w> {
@@ -30,6 +32,7 @@ impl<'w> State<'w> {
             expand_increase: settings.expand_increase.into(),
             expand_min: settings.expand_min as usize,
             nearest: Nearest::default(),
+            first: Nearest::default(),
         }
     }
 
@@ -42,6 +45,7 @@ impl<'w> State<'w> {
         if count >= self.gather_min {
             return first;
         }
+        std::mem::swap(&mut self.nearest, &mut self.first);
         let density = (count as f64 / (first * first)).max(1e-16);
         self.map.search(p, 3.0 * asked, self.gather_max, Some(n), &mut self.nearest);
         let second = self.nearest.radius(3.0 * asked);
@@ -50,7 +54,7 @@ impl<'w> State<'w> {
         if grown < self.expand_increase || (wider > 0 && wider < self.expand_min) {
             return second;
         }
-        self.map.search(p, asked, self.gather_max, Some(n), &mut self.nearest);
+        std::mem::swap(&mut self.nearest, &mut self.first);
         first
     }
 }

@@ -12,10 +12,21 @@ use super::Photon;
 #[derive(Default)]
 pub struct PhotonMap {
     photons: Vec<Photon>,
-    /// The axis by which each splits its range.
-    axes: Vec<u8>,
+    /// What the search reads of each.
+    nodes: Vec<Node>,
     /// The radius of a gather.
     pub radius: f64,
+}
+
+/// A photon as the search sees it: in the middle of its range.
+#[derive(Clone, Copy, Default)]
+struct Node {
+    p: [f32; 3],
+    /// The axis by which it splits its range.
+    axis: u8,
+    /// The box around its range.
+    low: [f32; 3],
+    high: [f32; 3],
 }
 
 /// The nearest photons of a search.
@@ -36,10 +47,6 @@ impl Photon {
     /// A photon of that power, rounded as it will be kept.
     pub fn new(p: Vec3, power: Rgb, toward: Vec3) -> Photon {
         Photon { p: p.as_vec3().to_array(), power: coarse(power), toward: coarse_direction(toward) }
-    }
-
-    fn at(&self) -> Vec3 {
-        Vec3::new(self.p[0].into(), self.p[1].into(), self.p[2].into())
     }
 }
 
@@ -73,26 +80,27 @@ fn coarse_direction(w: Vec3) -> Vec3 {
 impl PhotonMap {
     /// A map of photons in the order in which they were stored.
     pub fn new(photons: Vec<Photon>) -> PhotonMap {
-        let mut map = PhotonMap { axes: vec![0; photons.len()], photons, radius: 0.0 };
+        let mut map = PhotonMap { nodes: vec![Node::default(); photons.len()], photons, radius: 0.0 };
         let mut ranges = Vec::new();
         if !map.photons.is_empty() {
             ranges.push((0, map.photons.len() - 1));
         }
         while let Some((s, e)) = ranges.pop() {
-            if s == e {
-                continue;
-            }
-            let axis = map.longest_axis(s, e);
+            let (low, high) = map.bounds(s, e);
+            let size = |k: usize| high[k] - low[k];
+            let axis = (1..3).fold(0, |best, k| if size(k) > size(best) { k } else { best });
             let mid = (s + e) / 2;
             // Two are left as they are, which is why some photons are never found.
             if e - s >= 2 {
                 map.select(s, e, mid, axis);
             }
-            map.axes[mid] = axis as u8;
+            map.nodes[mid] = Node { p: map.photons[mid].p, axis: axis as u8, low, high };
             if mid > s {
                 ranges.push((s, mid - 1));
             }
-            ranges.push((mid + 1, e));
+            if e > mid {
+                ranges.push((mid + 1, e));
+            }
         }
         map
     }
@@ -112,7 +120,7 @@ impl PhotonMap {
         &self.photons[number as usize]
     }
 
-    fn longest_axis(&self, s: usize, e: usize) -> usize {
+    fn bounds(&self, s: usize, e: usize) -> ([f32; 3], [f32; 3]) {
         let (mut min, mut max) = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
         for photon in &self.photons[s..=e] {
             for k in 0..3 {
@@ -120,8 +128,7 @@ impl PhotonMap {
                 max[k] = max[k].max(photon.p[k]);
             }
         }
-        let size = |k: usize| max[k] - min[k];
-        (1..3).fold(0, |best, k| if size(k) > size(best) { k } else { best })
+        (min, max)
     }
 
     /// Moves the photon that belongs at `mid` there, lesser ones before it (Hoare's selection with the pivot of three).
@@ -171,34 +178,60 @@ impl PhotonMap {
         nearest.max = max;
         nearest.full = false;
         nearest.normal = normal;
-        if !self.photons.is_empty() {
-            self.search_range(0, self.photons.len() as i64 - 1, p, nearest);
-        }
+        self.search_range(0, self.nodes.len(), p, nearest);
     }
 
-    fn search_range(&self, s: i64, e: i64, p: Vec3, nearest: &mut Nearest) {
-        let mid = (s + e) / 2;
-        let photon = &self.photons[mid as usize];
-        let axis = self.axes[mid as usize] as usize;
-        let offset = p[axis] - f64::from(photon.p[axis]);
-        if offset * offset <= nearest.limit {
-            nearest.test(p, photon, mid as u32);
+    /// Searches the photons from `s` to before `e`.
+    fn search_range(&self, s: usize, e: usize, p: Vec3, nearest: &mut Nearest) {
+        if s == e {
+            return;
         }
-        let sides = [(s, mid - 1, true), (mid + 1, e, false)];
-        let order = if offset < 0.0 { [0, 1] } else { [1, 0] };
-        for side in order {
-            let (s, e, left) = sides[side];
-            let radius = nearest.limit.sqrt();
-            let reached = if left { offset - radius < 0.0 } else { offset + radius > 0.0 };
-            if s <= e && reached {
-                self.search_range(s, e, p, nearest);
+        let mid = (s + e - 1) / 2;
+        let node = &self.nodes[mid];
+        if e - s >= BOXED && node.distance_squared(p) >= nearest.limit {
+            return;
+        }
+        let axis = usize::from(node.axis) % 3;
+        let offset = p[axis] - f64::from(node.p[axis]);
+        let square = offset * offset;
+        if square <= nearest.limit {
+            nearest.test(p, node, mid as u32);
+        }
+        if offset < 0.0 {
+            self.search_range(s, mid, p, nearest);
+            if square < nearest.limit {
+                self.search_range(mid + 1, e, p, nearest);
+            }
+        } else {
+            self.search_range(mid + 1, e, p, nearest);
+            if square < nearest.limit {
+                self.search_range(s, mid, p, nearest);
             }
         }
     }
 }
 
+/// Ranges with fewer photons are gone through without a look at their box.
+const BOXED: usize = 8;
+
+impl Node {
+    fn at(&self) -> Vec3 {
+        Vec3::new(self.p[0].into(), self.p[1].into(), self.p[2].into())
+    }
+
+    /// The squared distance from the box.
+    fn distance_squared(&self, p: Vec3) -> f64 {
+        let away = |k: usize| {
+            let (below, above) = (f64::from(self.low[k]) - p[k], p[k] - f64::from(self.high[k]));
+            let away = if below > above { below } else { above };
+            if away > 0.0 { away * away } else { 0.0 }
+        };
+        away(0) + away(1) + away(2)
+    }
+}
+
 impl Nearest {
-    fn test(&mut self, p: Vec3, photon: &Photon, number: u32) {
+    fn test(&mut self, p: Vec3, photon: &Node, number: u32) {
         let offset = photon.at() - p;
         let mut square = offset.length_squared();
         if let Some(n) = self.normal {
@@ -225,20 +258,27 @@ impl Nearest {
         }
     }
 
-    fn sift(&mut self, mut i: usize) {
-        loop {
-            let (a, b) = (2 * i + 1, 2 * i + 2);
-            let bigger = |x: usize, y: usize| x < self.found.len() && self.found[x].0 > self.found[y].0;
-            let mut top = if bigger(a, i) { a } else { i };
-            if bigger(b, top) {
-                top = b;
-            }
-            if top == i {
-                return;
-            }
-            self.found.swap(i, top);
-            i = top;
+    /// Puts the entry `i` of the heap where it belongs below. Most belong far down, so that the way is taken first, along
+    /// the bigger children, and then back up as far as need be.
+    fn sift(&mut self, i: usize) {
+        let heap = &mut self.found[..];
+        let item = heap[i];
+        let mut at = i;
+        while 2 * at + 2 < heap.len() {
+            let (a, b) = (2 * at + 1, 2 * at + 2);
+            let child = if heap[b].0 > heap[a].0 { b } else { a };
+            heap[at] = heap[child];
+            at = child;
         }
+        if 2 * at + 1 < heap.len() {
+            heap[at] = heap[2 * at + 1];
+            at = 2 * at + 1;
+        }
+        while at > i && heap[(at - 1) / 2].0 < item.0 {
+            heap[at] = heap[(at - 1) / 2];
+            at = (at - 1) / 2;
+        }
+        heap[at] = item;
     }
 
     /// The radius that the photons found fill.
@@ -269,7 +309,8 @@ mod tests {
         let p = Vec3::new(0.5, 0.05, 0.4);
         map.search(p, 0.2, 50, None, &mut nearest);
         assert_eq!(nearest.found.len(), 50);
-        let mut exact: Vec<f64> = photons.iter().map(|q| (q.at() - p).length()).collect();
+        let mut exact: Vec<f64> =
+            photons.iter().map(|q| (Vec3::from(q.p.map(f64::from)) - p).length()).collect();
         exact.sort_by(f64::total_cmp);
         let got = nearest.radius(0.2);
         assert!(got >= exact[49] && got < exact[49] * 1.1, "{got} {}", exact[49]);

@@ -1,7 +1,9 @@
 //! Crackle: distances to the nearest of scattered points, one in each unit cell.
-use raggio_math::noise::{hash3, noise, random3};
+use raggio_math::noise::noise;
 use raggio_math::{EPS, Vec3};
 use raggio_scene as scene;
+
+use super::scatter::{Around, Each, least, point_in};
 
 /// A compiled `crackle`.
 #[derive(Debug)]
@@ -23,6 +25,8 @@ pub(crate) enum Metric {
     Signed,
     /// Sum of third powers.
     Cubic,
+    /// Sum of powers that are so many halves: roots and products make them.
+    Halves(i32),
     /// Sum of powers.
     Power(f64),
 }
@@ -34,7 +38,19 @@ impl Metric {
             2.0 => Metric::Euclid,
             1.0 => Metric::Manhattan,
             3.0 => Metric::Cubic,
+            m if m > 0.0 && m <= 16.0 && (2.0 * m).fract() == 0.0 => Metric::Halves((2.0 * m) as i32),
             m => Metric::Power(m),
+        }
+    }
+
+    /// The metric's number.
+    fn exponent(self) -> f64 {
+        match self {
+            Metric::Euclid => 2.0,
+            Metric::Manhattan | Metric::Signed => 1.0,
+            Metric::Cubic => 3.0,
+            Metric::Halves(halves) => f64::from(halves) / 2.0,
+            Metric::Power(m) => m,
         }
     }
 
@@ -51,6 +67,10 @@ impl Metric {
             Metric::Manhattan => d.abs(),
             Metric::Signed => -d,
             Metric::Cubic => d.abs() * d * d,
+            Metric::Halves(halves) => {
+                let whole = d.abs().powi(halves / 2);
+                if halves % 2 == 0 { whole } else { whole * d.abs().sqrt() }
+            }
             Metric::Power(m) => d.abs().powf(m),
         }
     }
@@ -65,14 +85,14 @@ impl Metric {
             Metric::Euclid => power.sqrt(),
             Metric::Manhattan | Metric::Signed => power,
             Metric::Cubic => power.cbrt(),
-            Metric::Power(m) => power.powf(1.0 / m),
+            Metric::Halves(_) | Metric::Power(_) => power.powf(1.0 / self.exponent()),
         }
     }
 
     /// Is a point never nearer than its cell?
     fn grows(self) -> bool {
         match self {
-            Metric::Euclid | Metric::Manhattan | Metric::Cubic => true,
+            Metric::Euclid | Metric::Manhattan | Metric::Cubic | Metric::Halves(_) => true,
             Metric::Signed => false,
             Metric::Power(m) => m > 0.0,
         }
@@ -129,7 +149,46 @@ const fn ring_of(squared: i8) -> u8 {
 }
 
 impl<const N: usize> Nearest<N> {
+    /// Looks at the 27 cells around the point, and at the others only where they may count.
+    #[inline]
     fn search(q: Vec3, metric: Metric) -> Self {
+        if metric.grows() {
+            let base = (q - Vec3::splat(EPS)).floor();
+            let f = q - base;
+            let rim = (f + 1.0).min_element().min((2.0 - f).min_element());
+            let near = Around::ask(base, |around| Self::among(around, q, metric));
+            if metric.term(rim) > near.powers[N - 1] {
+                return near;
+            }
+        }
+        Self::search_all(q, metric)
+    }
+
+    fn among(around: &Around, q: Vec3, metric: Metric) -> Self {
+        let all = match metric {
+            Metric::Euclid => around.each(q, |d| Metric::Euclid.power(d)),
+            Metric::Manhattan => around.each(q, |d| Metric::Manhattan.power(d)),
+            Metric::Cubic => around.each(q, |d| Metric::Cubic.power(d)),
+            _ => Self::costly(around, q, metric),
+        };
+        let powers = least(&all);
+        let point = if N == 1 { around.point_of(powers[0], &all) } else { Vec3::ZERO };
+        Nearest { powers, point, order: 0 }
+    }
+
+    /// Powers of those points only that may be among the nearest by their greatest difference along an axis: a power is
+    /// at least that difference's and at most three times that.
+    fn costly(around: &Around, q: Vec3, metric: Metric) -> Each {
+        let mut all = around.each(q, |d| d.abs().max_element());
+        let limit = least::<N>(&all)[N - 1] * 3f64.powf(1.0 / metric.exponent()) * (1.0 + EPS);
+        for (value, d) in all.iter_mut().zip(around.ways(q)) {
+            *value = if *value <= limit { metric.power(d) } else { f64::INFINITY };
+        }
+        all
+    }
+
+    /// Looks at all cells.
+    fn search_all(q: Vec3, metric: Metric) -> Self {
         let base = (q - Vec3::splat(EPS)).floor();
         let f = q - base;
         // What the way to the slab of cells two below .. two above adds at least, per axis.
@@ -149,7 +208,7 @@ impl<const N: usize> Nearest<N> {
                 continue;
             }
             let cell = base + Vec3::new(f64::from(d[0]), f64::from(d[1]), f64::from(d[2]));
-            let point = cell + Vec3::from(random3(hash3(cell.x as i64, cell.y as i64, cell.z as i64)));
+            let point = point_in(cell);
             nearest.offer(metric.power(q - point), point, usize::from(*order));
         }
         nearest
@@ -204,8 +263,7 @@ mod tests {
             .iter()
             .map(|(d, _)| {
                 let cell = base + Vec3::new(f64::from(d[0]), f64::from(d[1]), f64::from(d[2]));
-                let s = hash3(cell.x as i64, cell.y as i64, cell.z as i64);
-                metric.power(q - (cell + Vec3::from(random3(s))))
+                metric.power(q - point_in(cell))
             })
             .collect();
         all.sort_by(f64::total_cmp);
@@ -214,11 +272,15 @@ mod tests {
 
     #[test]
     fn skipping_far_cells_changes_nothing() {
-        for i in 0..300 {
+        for i in 0..1000 {
             let t = f64::from(i);
             let q = Vec3::new(t * 0.37 - 20.0, 13.0 - t * 0.11, t * 0.053);
-            for metric in [Metric::Euclid, Metric::Manhattan, Metric::Power(3.0), Metric::Power(0.5)] {
-                assert_eq!(Nearest::<3>::search(q, metric).powers, exhaustive(q, metric), "{q} {metric:?}");
+            for metric in [2.0, 1.0, 3.0, 4.0, 2.5, 0.5, 2.2, 0.3].map(Metric::new) {
+                let all = exhaustive(q, metric);
+                assert_eq!(Nearest::<3>::search(q, metric).powers, all, "{q} {metric:?}");
+                assert_eq!(Nearest::<3>::search_all(q, metric).powers, all, "{q} {metric:?}");
+                let (one, same) = (Nearest::<1>::search(q, metric), Nearest::<1>::search_all(q, metric));
+                assert_eq!((one.powers[0], one.point), (all[0], same.point), "{q} {metric:?}");
             }
         }
     }

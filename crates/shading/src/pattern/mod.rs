@@ -9,6 +9,7 @@ mod fractal;
 mod geometric;
 mod noisy;
 mod pavement;
+mod scatter;
 mod slope;
 mod tiling;
 mod wave;

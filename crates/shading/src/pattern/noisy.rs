@@ -1,8 +1,8 @@
 //! Patterns made of noise, turbulence and waves.
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-use raggio_math::noise::{WaveSource, dturbulence, noise, turbulence};
-use raggio_math::{Vec3, noise::dnoise};
+use raggio_math::Vec3;
+use raggio_math::noise::{WaveSource, doctaves, dturbulence, octaves, turbulence};
 use raggio_scene as scene;
 
 use super::wave::cycle;
@@ -29,23 +29,23 @@ pub(super) fn agate(p: Vec3, noise: u8, turbulence: &Turbulence, strength: f64) 
 }
 
 pub(super) fn granite(p: Vec3, generator: u8) -> f64 {
-    let (mut sum, mut weight, mut q) = (0.0, 1.0, 4.0 * p);
-    for _ in 0..6 {
-        let n = noise(generator, q);
+    let mut values = [0.0; 6];
+    octaves(generator, p, 4.0, 2.0, &mut values);
+    let (mut sum, mut weight) = (0.0, 1.0);
+    for n in values {
         sum += weight * if generator == 1 { (0.5 - n).abs() } else { (1.0 - 2.0 * n).abs().min(0.5) };
         weight *= 0.5;
-        q *= 2.0;
     }
     sum
 }
 
 pub(super) fn wrinkles(p: Vec3, generator: u8) -> f64 {
-    let (mut sum, mut weight, mut q) = (0.0, 0.5, p);
-    for _ in 0..10 {
-        let n = noise(generator, q);
+    let mut values = [0.0; 10];
+    octaves(generator, p, 1.0, 2.0, &mut values);
+    let (mut sum, mut weight) = (0.0, 0.5);
+    for n in values {
         sum += weight * if generator == 1 { n } else { (2.0 * n - 0.5).clamp(0.0, 1.0) };
         weight *= 0.5;
-        q *= 2.0;
     }
     sum
 }
@@ -142,11 +142,12 @@ impl Waves {
 
 /// How `wrinkles` bend a normal.
 pub(crate) fn wrinkle_bend(p: Vec3) -> Vec3 {
-    let (mut sum, mut weight, mut q) = (Vec3::ZERO, 1.0, p);
-    for _ in 0..10 {
-        sum += dnoise(q).abs() * weight;
+    let mut values = [Vec3::ZERO; 10];
+    doctaves(p, 1.0, 2.0, &mut values);
+    let (mut sum, mut weight) = (Vec3::ZERO, 1.0);
+    for value in values {
+        sum += value.abs() * weight;
         weight *= 0.5;
-        q *= 2.0;
     }
     sum
 }

@@ -1,0 +1,259 @@
+//! Boxes of triangles, and where best to cut a run of them: the surface area heuristic over bins.
+//!
+//! After Wald: "On fast Construction of SAH-based Bounding Volume Hierarchies" (2007). Costs count leaf blocks of four,
+//! so leaves come out full.
+use raggio_math::{Aabb, Vec3};
+use rayon::prelude::*;
+
+use crate::mesh::LANES;
+
+/// Most bins along an axis.
+const BINS: usize = 32;
+/// Runs this short do with [`FEW_BINS`].
+const SHORT: usize = 80;
+const FEW_BINS: usize = 8;
+/// What visiting a node costs, in tests of a block.
+const NODE_COST: f32 = 1.0;
+/// Longer runs are shared among threads, in chunks of this.
+const CHUNK: usize = 1 << 16;
+
+/// A box that grows. The fourth lane is not looked at.
+#[derive(Clone, Copy, Debug)]
+#[repr(C, align(16))]
+pub(super) struct Bounds {
+    pub(super) lo: [f32; 4],
+    pub(super) hi: [f32; 4],
+}
+
+impl Bounds {
+    pub(super) const EMPTY: Bounds = Bounds { lo: [f32::INFINITY; 4], hi: [f32::NEG_INFINITY; 4] };
+
+    #[inline(always)]
+    pub(super) fn grow(&mut self, other: &Bounds) {
+        for k in 0..4 {
+            self.lo[k] = if other.lo[k] < self.lo[k] { other.lo[k] } else { self.lo[k] };
+            self.hi[k] = if other.hi[k] > self.hi[k] { other.hi[k] } else { self.hi[k] };
+        }
+    }
+
+    #[inline(always)]
+    pub(super) fn half_area(&self) -> f32 {
+        let d = [self.hi[0] - self.lo[0], self.hi[1] - self.lo[1], self.hi[2] - self.lo[2]];
+        if d[0] < 0.0 { 0.0 } else { d[0] * d[1] + d[1] * d[2] + d[2] * d[0] }
+    }
+
+    pub(super) fn aabb(&self) -> Aabb {
+        let corner = |c: &[f32; 4]| Vec3::new(f64::from(c[0]), f64::from(c[1]), f64::from(c[2]));
+        Aabb { min: corner(&self.lo), max: corner(&self.hi) }
+    }
+}
+
+/// A triangle while the tree is built: its box, and its number in the fourth lane, where no number below 2^30 makes
+/// anything but a small positive float.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Prim(Bounds);
+
+impl Prim {
+    #[inline(always)]
+    pub(super) fn new(corners: [[f32; 3]; 3], triangle: u32) -> Prim {
+        let mut bounds = Bounds::EMPTY;
+        for corner in &corners {
+            let p = [corner[0], corner[1], corner[2], 0.0];
+            bounds.grow(&Bounds { lo: p, hi: p });
+        }
+        bounds.lo[3] = f32::from_bits(triangle);
+        Prim(bounds)
+    }
+
+    pub(super) fn triangle(&self) -> u32 {
+        self.0.lo[3].to_bits()
+    }
+
+    #[inline(always)]
+    fn twice_centre(&self) -> [f32; 4] {
+        let (lo, hi) = (&self.0.lo, &self.0.hi);
+        [lo[0] + hi[0], lo[1] + hi[1], lo[2] + hi[2], 0.0]
+    }
+}
+
+/// A run of triangles on its way into a child.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Run {
+    pub(super) len: usize,
+    pub(super) bounds: Bounds,
+    /// Bounds of twice the centres.
+    centres: Bounds,
+}
+
+impl Run {
+    const EMPTY: Run = Run { len: 0, bounds: Bounds::EMPTY, centres: Bounds::EMPTY };
+
+    pub(super) fn of(prims: &[Prim]) -> Run {
+        let one = |prims: &[Prim]| {
+            let mut run = Run::EMPTY;
+            prims.iter().for_each(|prim| run.add(prim));
+            run
+        };
+        match prims.len() <= 2 * CHUNK {
+            true => one(prims),
+            false => prims.par_chunks(CHUNK).map(one).reduce(|| Run::EMPTY, Run::joined),
+        }
+    }
+
+    #[inline(always)]
+    fn add(&mut self, prim: &Prim) {
+        let c = prim.twice_centre();
+        self.bounds.grow(&prim.0);
+        self.centres.grow(&Bounds { lo: c, hi: c });
+        self.len += 1;
+    }
+
+    fn joined(mut self, other: Run) -> Run {
+        self.bounds.grow(&other.bounds);
+        self.centres.grow(&other.centres);
+        self.len += other.len;
+        self
+    }
+}
+
+/// How twice a centre becomes a bin.
+#[derive(Clone, Copy)]
+struct Binning {
+    count: usize,
+    offset: [f32; 4],
+    scale: [f32; 4],
+}
+
+/// Everything before `bin` along `axis` goes first.
+struct Cut {
+    axis: usize,
+    bin: usize,
+    binning: Binning,
+}
+
+impl Binning {
+    fn new(run: &Run) -> Binning {
+        let count = BINS.min(4 + run.len / 20);
+        let mut scale = [0.0; 4];
+        for (k, scale) in scale.iter_mut().enumerate().take(3) {
+            let size = run.centres.hi[k] - run.centres.lo[k];
+            // A hair under `count`, so that the last centre falls into the last bin.
+            *scale = if size > 1e-34 { 0.99 * count as f32 / size } else { 0.0 };
+        }
+        Binning { count, offset: run.centres.lo, scale }
+    }
+
+    #[inline(always)]
+    fn bin(&self, prim: &Prim, axis: usize) -> usize {
+        let bin = (prim.0.lo[axis] + prim.0.hi[axis] - self.offset[axis]) * self.scale[axis];
+        // What is not a number becomes 0.
+        (bin as i32 as usize).min(self.count - 1)
+    }
+}
+
+/// What has fallen into each bin of each axis.
+#[derive(Clone)]
+struct Bins<const N: usize>([[(Bounds, u32); N]; 3]);
+
+impl<const N: usize> Bins<N> {
+    const EMPTY: Bins<N> = Bins([[(Bounds::EMPTY, 0); N]; 3]);
+
+    fn of(prims: &[Prim], binning: &Binning) -> Bins<N> {
+        let mut all = Bins::EMPTY;
+        for prim in prims {
+            for (axis, bins) in all.0.iter_mut().enumerate() {
+                let bin = &mut bins[binning.bin(prim, axis)];
+                bin.0.grow(&prim.0);
+                bin.1 += 1;
+            }
+        }
+        all
+    }
+
+    fn joined(mut self, other: Bins<N>) -> Bins<N> {
+        for (mine, others) in self.0.iter_mut().flatten().zip(other.0.iter().flatten()) {
+            mine.0.grow(&others.0);
+            mine.1 += others.1;
+        }
+        self
+    }
+
+    fn best_cut(&self, binning: &Binning) -> Option<Cut> {
+        let mut best: Option<(f32, usize, usize)> = None;
+        for (axis, bins) in self.0.iter().enumerate().filter(|(axis, _)| binning.scale[*axis] > 0.0) {
+            let (cost, bin) = cheapest(&bins[..binning.count]);
+            if cost < best.map_or(f32::INFINITY, |b| b.0) {
+                best = Some((cost, axis, bin));
+            }
+        }
+        best.map(|(_, axis, bin)| Cut { axis, bin, binning: *binning })
+    }
+}
+
+/// Cost and place of the cheapest cut of one axis; infinite where every cut leaves a side empty.
+fn cheapest(bins: &[(Bounds, u32)]) -> (f32, usize) {
+    let blocks = |count: u32| count.div_ceil(LANES as u32) as f32;
+    let mut right_cost = [0.0f32; BINS];
+    let (mut bounds, mut count) = (Bounds::EMPTY, 0);
+    for (i, bin) in bins.iter().enumerate().rev() {
+        bounds.grow(&bin.0);
+        count += bin.1;
+        right_cost[i] =
+            if count == 0 { f32::INFINITY } else { bounds.half_area() * (NODE_COST + blocks(count)) };
+    }
+    let (mut bounds, mut count) = (Bounds::EMPTY, 0);
+    let mut best = (f32::INFINITY, 0);
+    for i in 1..bins.len() {
+        bounds.grow(&bins[i - 1].0);
+        count += bins[i - 1].1;
+        if count == 0 {
+            continue;
+        }
+        let cost = bounds.half_area() * (NODE_COST + blocks(count)) + right_cost[i];
+        if cost < best.0 {
+            best = (cost, i);
+        }
+    }
+    best
+}
+
+/// Cuts a run in two and orders its triangles accordingly. Where no cut is better than another it is in the middle.
+pub(super) fn split(prims: &mut [Prim], run: &Run, by_area: bool) -> (Run, Run) {
+    match by_area.then(|| best_cut(prims, run)).flatten() {
+        Some(cut) => partition(prims, &cut),
+        None => {
+            let (first, second) = prims.split_at(prims.len() / 2);
+            (Run::of(first), Run::of(second))
+        }
+    }
+}
+
+fn best_cut(prims: &[Prim], run: &Run) -> Option<Cut> {
+    let binning = Binning::new(run);
+    if run.len <= SHORT {
+        return Bins::<FEW_BINS>::of(prims, &binning).best_cut(&binning);
+    }
+    let of = |prims: &[Prim]| Bins::<BINS>::of(prims, &binning);
+    let bins = match run.len <= 2 * CHUNK {
+        true => of(prims),
+        false => prims.par_chunks(CHUNK).map(of).reduce(|| Bins::EMPTY, Bins::joined),
+    };
+    bins.best_cut(&binning)
+}
+
+fn partition(prims: &mut [Prim], cut: &Cut) -> (Run, Run) {
+    let (mut left, mut right) = (Run::EMPTY, Run::EMPTY);
+    let (mut start, mut end) = (0, prims.len());
+    while start < end {
+        let prim = prims[start];
+        if cut.binning.bin(&prim, cut.axis) < cut.bin {
+            left.add(&prim);
+            start += 1;
+        } else {
+            right.add(&prim);
+            end -= 1;
+            prims.swap(start, end);
+        }
+    }
+    (left, right)
+}
