@@ -48,7 +48,7 @@ fn pane(spacing: f32, count: u32, collect: bool) -> Scene {
 
 fn map(scene: &Scene) -> PhotonMap {
     let world = World::build(scene).expect("the scene can be built");
-    shoot(&world, &options(10, 10), 100 << 10, &AtomicBool::new(false))
+    shoot(&world, &options(10, 10), 100 << 10, &AtomicBool::new(false)).surface
 }
 
 #[test]
