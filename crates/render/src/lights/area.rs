@@ -27,17 +27,22 @@ pub struct AreaGrid {
     pub illumination: bool,
     /// Do photons leave from all of it?
     pub photons: bool,
+    /// How many samples are taken where nothing stands in the way.
+    pub open_samples: u32,
 }
 
 impl AreaGrid {
     /// Makes a grid ready.
     pub fn new(area: &scene::AreaLight) -> AreaGrid {
+        let (size1, size2) = (area.size1.clamp(1, MOST), area.size2.clamp(1, MOST));
+        let adaptive = area.adaptive.unwrap_or(100);
         AreaGrid {
             axis1: area.axis1,
             axis2: area.axis2,
-            size1: area.size1.clamp(1, MOST),
-            size2: area.size2.clamp(1, MOST),
-            adaptive: area.adaptive.unwrap_or(100),
+            size1,
+            size2,
+            adaptive,
+            open_samples: open_samples([size1, size2], adaptive),
             jitter: area.jitter,
             circular: (area.circular || area.orient) && area.size1 > 1 && area.size2 > 1,
             orient: area.orient,
@@ -56,6 +61,23 @@ impl AreaGrid {
         let unit = |v: Vec3| v.try_normalize().unwrap_or(Vec3::X);
         let axis1 = unit(to_light.cross(helper)) * length;
         (axis1, unit(to_light.cross(axis1)) * length)
+    }
+
+    /// The corners, in order around it, of a patch that holds all samples.
+    pub fn corners(&self, axes: (Vec3, Vec3)) -> [Vec3; 4] {
+        let half = |n: u32| {
+            let cell = if n > 1 { 1.0 / f64::from(n - 1) } else { 0.0 };
+            0.5 + if self.jitter { 0.5 * cell } else { 0.0 } + 0.002
+        };
+        let (a, b) = (axes.0 * half(self.size1), axes.1 * half(self.size2));
+        [-a - b, a - b, a + b, b - a]
+    }
+
+    /// Uses up the random numbers of a look at the whole light with nothing in the way.
+    pub fn pass_over(&self, random: &mut Stream) {
+        if self.jitter {
+            random.skip(2 * self.open_samples);
+        }
     }
 
     /// Where a grid point lies without jitter and roundness.
@@ -120,6 +142,17 @@ pub fn average(
         scratch.cells[cell].1
     };
     divide(&mut corner, [0, 0], [grid.size1 - 1, grid.size2 - 1], 0, grid.adaptive)
+}
+
+/// How many different grid points are asked where all answer alike.
+fn open_samples(size: [u32; 2], adaptive: u32) -> u32 {
+    let mut asked = vec![false; (size[0] * size[1]) as usize];
+    let mut corner = |u: u32, v: u32| {
+        asked[(v * size[0] + u) as usize] = true;
+        Rgb::ONE
+    };
+    divide(&mut corner, [0, 0], [size[0] - 1, size[1] - 1], 0, adaptive);
+    asked.into_iter().filter(|&a| a).count() as u32
 }
 
 /// The mean over the rectangle of grid indices from `low` to `high`.
