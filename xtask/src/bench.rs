@@ -209,7 +209,8 @@ fn geometric_mean(values: &[f64]) -> f64 {
     (values.iter().map(|v| v.ln()).sum::<f64>() / values.len().max(1) as f64).exp()
 }
 
-fn save(name: &str, results: &Results) -> Result<(), String> {
+/// Writes results to `benches/results/`.
+pub fn save(name: &str, results: &impl Serialize) -> Result<(), String> {
     let folder = crate::root_folder().join("benches/results");
     let path = folder.join(format!("{name}.json"));
     let text = serde_json::to_string_pretty(results).map_err(|e| e.to_string())?;

@@ -1,10 +1,11 @@
-//! The house's own tools: `cargo xtask tidy | conformance | bench | speed-parse`. No other crate may depend on this one.
+//! The house's own tools: `cargo xtask tidy | conformance | bench | speed-parse | scaling`. No other crate may depend on this one.
 
 mod args;
 mod bench;
 mod conformance;
 mod picture;
 mod process;
+mod scaling;
 mod tidy;
 
 use std::path::PathBuf;
@@ -23,6 +24,8 @@ usage: cargo xtask <command>
       whole-process times against POV-Ray for the scenes in benches/speed.txt
   speed-parse [--runs 3] [--binary FILE]
       the same for scenes/bench/parse-*.pov, whose time goes into reading
+  scaling [--filter TEXT] [--most N] [--runs 3] [--binary FILE]
+      how the time to trace grows with pixels, objects, lights, depth, threads
 ";
 
 fn main() -> ExitCode {
@@ -34,6 +37,7 @@ fn main() -> ExitCode {
         "conformance" => conformance::run(&rest),
         "bench" => bench::speed(&rest),
         "speed-parse" => bench::parse(&rest),
+        "scaling" => scaling::run(&rest),
         _ => Err(USAGE.to_string()),
     };
     match outcome {

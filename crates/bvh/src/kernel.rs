@@ -4,13 +4,18 @@
 use raggio_math::Ray;
 
 use crate::node::{Node, WIDTH};
-use crate::round::{down, up};
 
-/// Makes up for the three roundings in `(side - origin) * inverse`.
-pub(crate) const SLACK: f32 = 1.000_000_5;
+/// Makes up for the roundings of `inverse` and of `(side - origin) * inverse` at both ends.
+pub(crate) const SLACK: f32 = 1.000_001;
 
 /// Inverse directions are kept finite, so that no product of zero and infinity can arise.
-const MAX_INVERSE: f64 = 1e37;
+const MAX_INVERSE: f32 = 1e37;
+
+/// How far the origin is moved each way, as a share of itself: four units in the last place.
+const ORIGIN_REACH: f32 = 1.0 / (1 << 22) as f32;
+
+/// How far it is moved at least, so that a ray along a side at 0 stays within for any distance.
+const LEAST_REACH: f32 = 1e-28;
 
 /// Origins and directions beyond this overflow single precision.
 const FAR: f64 = 1e37;
@@ -35,9 +40,10 @@ impl Slab {
     /// Prepares a ray.
     #[inline]
     pub fn new(ray: &Ray) -> Self {
-        let reach = ray.origin.abs().max_element().max(ray.dir.abs().max_element());
+        let within = |v: raggio_math::Vec3| v.abs().cmplt(raggio_math::Vec3::splat(FAR)).all();
         let mut slab = Slab {
-            finite: reach < FAR && !ray.origin.is_nan() && !ray.dir.is_nan(),
+            // No comparison holds for what is not a number.
+            finite: within(ray.origin) && within(ray.dir),
             origin_near: [0.0; 3],
             origin_far: [0.0; 3],
             inverse: [0.0; 3],
@@ -45,16 +51,16 @@ impl Slab {
             far: [3, 4, 5],
         };
         for k in 0..3 {
-            let (lo, hi) = (down(ray.origin[k]).next_down(), up(ray.origin[k]).next_up());
             let backwards = ray.dir[k] < 0.0;
-            slab.inverse[k] = (1.0 / ray.dir[k]).clamp(-MAX_INVERSE, MAX_INVERSE) as f32;
-            (slab.origin_near[k], slab.origin_far[k]) = if backwards { (lo, hi) } else { (hi, lo) };
-            if backwards {
-                (slab.near[k], slab.far[k]) = (k + 3, k);
-            } else if slab.inverse[k] < 0.0 {
-                // The direction was -0.
-                slab.inverse[k] = -slab.inverse[k];
-            }
+            let inverse = (1.0 / ray.dir[k] as f32).abs().min(MAX_INVERSE);
+            slab.inverse[k] = if backwards { -inverse } else { inverse };
+            // More than the rounding to single precision may have done.
+            let origin = ray.origin[k] as f32;
+            let reach = origin.abs() * ORIGIN_REACH + LEAST_REACH;
+            let reach = if backwards { -reach } else { reach };
+            (slab.origin_near[k], slab.origin_far[k]) = (origin + reach, origin - reach);
+            let side = 3 * usize::from(backwards);
+            (slab.near[k], slab.far[k]) = (k + side, k + 3 - side);
         }
         slab
     }
@@ -76,11 +82,18 @@ impl Slab {
 
 /// How to test eight boxes at once.
 pub(crate) trait Kernel {
-    /// Bits of the boxes that the ray touches between `t0` and `t1`, and where it enters each.
+    /// Bits of the boxes that the ray touches between `t0` and `t1`, and where it enters and leaves each.
     ///
     /// # Safety
     /// The processor must have what the kernel uses.
-    unsafe fn test(node: &Node, slab: &Slab, t0: f32, t1: f32, entry: &mut [f32; WIDTH]) -> u32;
+    unsafe fn test(
+        node: &Node,
+        slab: &Slab,
+        t0: f32,
+        t1: f32,
+        entry: &mut [f32; WIDTH],
+        exit: &mut [f32; WIDTH],
+    ) -> u32;
 }
 
 /// Plain Rust; works everywhere.
@@ -88,9 +101,16 @@ pub(crate) struct Scalar;
 
 impl Kernel for Scalar {
     #[inline(always)]
-    unsafe fn test(node: &Node, slab: &Slab, t0: f32, t1: f32, entry: &mut [f32; WIDTH]) -> u32 {
+    unsafe fn test(
+        node: &Node,
+        slab: &Slab,
+        t0: f32,
+        t1: f32,
+        entry: &mut [f32; WIDTH],
+        exit: &mut [f32; WIDTH],
+    ) -> u32 {
         let mut mask = 0;
-        for (i, entry) in entry.iter_mut().enumerate() {
+        for i in 0..WIDTH {
             let (mut near, mut far) = (t0, t1);
             for k in 0..3 {
                 let a = (node.sides[slab.near[k]][i] - slab.origin_near[k]) * slab.inverse[k];
@@ -98,7 +118,7 @@ impl Kernel for Scalar {
                 near = if a > near { a } else { near };
                 far = if b < far { b } else { far };
             }
-            *entry = near;
+            (entry[i], exit[i]) = (near, far);
             mask |= u32::from(near <= far) << i;
         }
         mask
@@ -113,7 +133,14 @@ pub(crate) struct Avx2;
 impl Kernel for Avx2 {
     #[inline]
     #[target_feature(enable = "avx2")]
-    unsafe fn test(node: &Node, slab: &Slab, t0: f32, t1: f32, entry: &mut [f32; WIDTH]) -> u32 {
+    unsafe fn test(
+        node: &Node,
+        slab: &Slab,
+        t0: f32,
+        t1: f32,
+        entry: &mut [f32; WIDTH],
+        exit: &mut [f32; WIDTH],
+    ) -> u32 {
         use std::arch::x86_64::*;
         let (mut near, mut far) = (_mm256_set1_ps(t0), _mm256_set1_ps(t1));
         let slack = _mm256_set1_ps(SLACK);
@@ -128,8 +155,11 @@ impl Kernel for Avx2 {
             near = _mm256_max_ps(a, near);
             far = _mm256_min_ps(_mm256_mul_ps(b, slack), far);
         }
-        // SAFETY: `entry` has room for eight floats.
-        unsafe { _mm256_storeu_ps(entry.as_mut_ptr(), near) };
+        // SAFETY: both have room for eight floats.
+        unsafe {
+            _mm256_storeu_ps(entry.as_mut_ptr(), near);
+            _mm256_storeu_ps(exit.as_mut_ptr(), far);
+        }
         _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LE_OQ>(near, far)) as u32
     }
 }

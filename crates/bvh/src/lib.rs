@@ -12,9 +12,13 @@ mod build;
 mod kernel;
 pub mod mesh;
 mod node;
+mod region;
 mod round;
+mod row;
 mod traverse;
 
 pub use build::Built;
 pub use kernel::Slab;
+pub use region::Region;
+pub use row::{BoxRow, Touched};
 pub use traverse::Bvh;

@@ -177,7 +177,7 @@ impl Bvh {
         let (mut t_max, mut t1) = (range.1, up(range.1));
         let mut room = [MaybeUninit::uninit(); STACK];
         let mut stack = Stack { entries: &mut room, len: 0 };
-        let mut near = [0.0; WIDTH];
+        let (mut near, mut far) = ([0.0; WIDTH], [0.0; WIDTH]);
         stack.insert(0, entry(t0, Child::inner(0)));
         while let Some((t, mut child)) = stack.pop() {
             if t > t1 {
@@ -188,7 +188,7 @@ impl Bvh {
                     Kind::Inner(index) => {
                         let node = &self.nodes[index];
                         // SAFETY: the caller chose a kernel that the processor has.
-                        let mask = unsafe { K::test(node, slab, t0, t1, &mut near) };
+                        let mask = unsafe { K::test(node, slab, t0, t1, &mut near, &mut far) };
                         // An only child needs no stack.
                         if mask & mask.wrapping_sub(1) == 0 && mask != 0 {
                             child = node.children[mask.trailing_zeros() as usize & 7];

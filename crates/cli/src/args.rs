@@ -68,6 +68,9 @@ pub(crate) struct SceneArgs {
     /// The picture's size in pixels.
     #[arg(long, value_name = "WIDTHxHEIGHT", value_parser = size)]
     pub size: Option<(usize, usize)>,
+    /// Say how long each step took.
+    #[arg(long)]
+    pub timing: bool,
     /// How messages are written.
     #[arg(long, value_enum, default_value_t)]
     pub message_format: MessageFormat,

@@ -2,6 +2,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
+use std::time::Instant;
 
 use raggio::image::{EncodeOptions, Format};
 use raggio::{Antialias, AntialiasMethod, ParseOptions, RenderOptions, SceneOptions};
@@ -51,15 +52,26 @@ fn try_render(
         alpha: args.alpha,
         ..trace_options(&args.trace, args.scene.size.unwrap_or(DEFAULT_SIZE))
     };
+    let start = Instant::now();
     let film = {
         let progress = Progress::new("rendering", report.human());
         ready.world.render(&options, cancel, &|done, all| progress.set(done, all))
     };
+    let traced = start.elapsed();
     let cancelled = film.cancelled;
     let encode =
         EncodeOptions { format, alpha: args.alpha, bits: args.bits.unwrap_or(8), ..EncodeOptions::default() };
     let encode = pipeline::encode_options(&ready.loaded, encode);
     raggio::write_picture(&pipeline::picture(film), &encode, &output).map_err(|e| Some(e.to_string()))?;
+    if args.scene.timing {
+        let written = start.elapsed() - traced;
+        report.timing(&[
+            ("read", ready.parse_time),
+            ("build", ready.build_time),
+            ("trace", traced),
+            ("write", written),
+        ]);
+    }
     if cancelled {
         report.say("warning", &format!("interrupted; {} holds what was there", output.display()));
         return Ok(Outcome::Interrupted);
@@ -94,6 +106,9 @@ pub(crate) fn check(args: &CheckArgs, cancel: &Arc<AtomicBool>) -> Outcome {
             report.diagnostics(&ready.loaded.warnings, &ready.loaded.sources);
             if let Some(missing) = pipeline::left_out(&ready.loaded) {
                 report.say("warning", &missing);
+            }
+            if args.scene.timing {
+                report.timing(&[("read", ready.parse_time), ("build", ready.build_time)]);
             }
             Outcome::Done
         }

@@ -13,6 +13,8 @@ pub(crate) struct Ready {
     pub world: World,
     /// How long reading took.
     pub parse_time: Duration,
+    /// How long it took to make the world ready for rays.
+    pub build_time: Duration,
 }
 
 /// Reads a scene and builds its world.
@@ -23,8 +25,9 @@ pub(crate) fn prepare(
 ) -> Result<Ready, Failure> {
     let start = Instant::now();
     let loaded = raggio::load_with(scene, debug, cancel)?;
+    let parse_time = start.elapsed();
     let world = loaded.build()?;
-    Ok(Ready { loaded, world, parse_time: start.elapsed() })
+    Ok(Ready { loaded, world, parse_time, build_time: start.elapsed() - parse_time })
 }
 
 /// What is left out of the picture because it is not built yet.

@@ -1,5 +1,6 @@
 //! Messages of the modern door, for people or for programs, on standard error.
 use std::io::IsTerminal;
+use std::time::Duration;
 
 use raggio::Failure;
 use raggio::diag::{Diagnostic, Sources};
@@ -46,6 +47,25 @@ impl Report {
                 eprintln!(
                     "{}",
                     serde_json::json!({ "severity": severity, "code": code, "message": message })
+                );
+            }
+        }
+    }
+
+    /// How long the steps took, in order.
+    pub(crate) fn timing(&self, steps: &[(&str, Duration)]) {
+        match self.format {
+            MessageFormat::Human => {
+                let said: Vec<String> =
+                    steps.iter().map(|(name, time)| format!("{name} {:.3} s", time.as_secs_f64())).collect();
+                eprintln!("{}", said.join(", "));
+            }
+            MessageFormat::Json => {
+                let seconds: serde_json::Map<_, _> =
+                    steps.iter().map(|(name, time)| (name.to_string(), time.as_secs_f64().into())).collect();
+                eprintln!(
+                    "{}",
+                    serde_json::json!({ "severity": "note", "code": "timing", "seconds": seconds })
                 );
             }
         }

@@ -34,13 +34,9 @@ struct Built {
     inside: Aabb,
     /// Outside this box everything is inside it.
     outside: Aabb,
-}
-
-impl Built {
-    /// What belongs to it lies in this box. A patch has a surface although nothing is inside it.
-    fn reach(&self) -> Aabb {
-        self.inside.union(&self.surface)
-    }
+    /// What it leaves of others in an intersection lies in this box: its inside, and the surface of patches in it, which
+    /// have no inside.
+    reach: Aabb,
 }
 
 struct Walk {
@@ -122,7 +118,14 @@ impl Walk {
                 self.parts.entry(index as u32).or_default().cutaway = c.cutaway;
             }
         }
-        Ok(Built { member: Member { node: NodeRef::leaf(index), skip: c.skip }, surface, inside, outside })
+        let reach = if inside.is_empty() { surface } else { inside };
+        Ok(Built {
+            member: Member { node: NodeRef::leaf(index), skip: c.skip },
+            surface,
+            inside,
+            outside,
+            reach,
+        })
     }
 
     /// Textures that a mesh's faces or a blob's components bring along.
@@ -206,7 +209,7 @@ impl Walk {
         };
         self.tighten(op, &mut own, &clip_box);
         let boxes = combined_boxes(op, &own);
-        let mut surface = boxes.0.intersection(&clip_box);
+        let mut surface = boxes.surface.intersection(&clip_box);
         if !surface.is_finite() {
             // A bound that is too small still shows what lies outside it where a ray touches both; but for unbounded
             // things it is all there is.
@@ -216,15 +219,16 @@ impl Walk {
         Ok(Built {
             member: Member { node: NodeRef::group(at as usize), skip },
             surface,
-            inside: boxes.1.intersection(&clip_box),
-            outside: if object.clips.is_empty() { boxes.2 } else { Aabb::INFINITE },
+            inside: boxes.inside.intersection(&clip_box),
+            outside: if object.clips.is_empty() { boxes.outside } else { Aabb::INFINITE },
+            reach: boxes.reach.intersection(&clip_box),
         })
     }
 
     /// Cuts the boxes of unbounded members to what the group lets count of them.
     fn tighten(&self, op: Op, own: &mut [Built], clip_box: &Aabb) {
         let limit = match op {
-            Op::Intersection => own.iter().fold(*clip_box, |limit, m| limit.intersection(&m.reach())),
+            Op::Intersection => own.iter().fold(*clip_box, |limit, m| limit.intersection(&m.reach)),
             Op::Union | Op::Merge => *clip_box,
         };
         for m in own.iter_mut().filter(|m| !m.surface.is_finite()) {
@@ -233,6 +237,7 @@ impl Walk {
                 // What is turned inside out reaches on beyond its surface.
                 if !turned {
                     m.inside = m.inside.intersection(&part);
+                    m.reach = m.reach.intersection(&part);
                 }
             }
         }
@@ -315,18 +320,32 @@ impl Walk {
     }
 }
 
-/// Boxes of the surface, of the inside and of the outside of a group.
-fn combined_boxes(op: Op, members: &[Built]) -> (Aabb, Aabb, Aabb) {
+/// The boxes of a group; see [`Built`].
+struct Boxes {
+    surface: Aabb,
+    inside: Aabb,
+    outside: Aabb,
+    reach: Aabb,
+}
+
+fn combined_boxes(op: Op, members: &[Built]) -> Boxes {
     let any = |pick: fn(&Built) -> Aabb| members.iter().fold(Aabb::EMPTY, |all, m| all.union(&pick(m)));
     let all = |pick: fn(&Built) -> Aabb| {
         members.iter().fold(Aabb::INFINITE, |common, m| common.intersection(&pick(m)))
     };
     let surface = any(|m| m.surface);
     match op {
-        Op::Union | Op::Merge => (surface, any(|m| m.inside), all(|m| m.outside)),
+        Op::Union | Op::Merge => {
+            Boxes { surface, inside: any(|m| m.inside), outside: all(|m| m.outside), reach: any(|m| m.reach) }
+        }
         Op::Intersection => {
-            let shared = all(Built::reach);
-            (surface.intersection(&shared), all(|m| m.inside), any(|m| m.outside))
+            let reach = all(|m| m.reach);
+            Boxes {
+                surface: surface.intersection(&reach),
+                inside: all(|m| m.inside),
+                outside: any(|m| m.outside),
+                reach,
+            }
         }
     }
 }
@@ -337,23 +356,24 @@ fn group(op: Op, built: &[Built], leaves: &Leaves, clips: Vec<NodeRef>, bounds: 
         Op::Intersection => |b| b.outside,
     };
     // An intersection has no surface outside what its members hold, however far theirs reach.
-    let limit = combined_boxes(op, built).0;
+    let limit = combined_boxes(op, built).surface;
     let surfaces: Vec<Aabb> = built.iter().map(|b| b.surface.intersection(&limit)).collect();
     let decisions: Vec<Aabb> = built.iter().map(deciding).collect();
     let cost = |m: &Built| leaves.cost(m.member.node);
     // Costly members have a box of their own even where there are a great many.
     let cheap = built.len() > 1024 && built.iter().all(|m| cost(m) == 0);
-    let (surfaces, deciders) = indices(&surfaces, &decisions, deciders(built, cost), 1 + usize::from(cheap));
+    let (surfaces, deciders) =
+        indices(&surfaces, &decisions, deciders(built, leaves), 1 + usize::from(cheap));
     Group { op, members: built.iter().map(|b| b.member).collect(), surfaces, deciders, clips, bounds }
 }
 
 /// What boxes tell about each member; those that are cheap to ask first.
-fn deciders(built: &[Built], cost: impl Fn(&Built) -> u32) -> Vec<Decider> {
+fn deciders(built: &[Built], leaves: &Leaves) -> Vec<Decider> {
     let mut order: Vec<u32> = (0..built.len() as u32).collect();
-    order.sort_by_key(|&i| cost(&built[i as usize]));
-    let known = |member: u32| {
-        let Built { inside, outside, .. } = built[member as usize];
-        Decider { member, inside, outside }
+    order.sort_by_key(|&i| leaves.cost(built[i as usize].member.node));
+    let known = |index: u32| {
+        let Built { member, inside, outside, .. } = built[index as usize];
+        Decider { member: index, quick: leaves.is_quick(member.node), inside, outside }
     };
     order.into_iter().map(known).collect()
 }

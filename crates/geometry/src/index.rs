@@ -1,13 +1,13 @@
 //! Members of a group by their boxes: a short list, or a tree for the bounded ones and a list for the others.
 use std::sync::Arc;
 
-use raggio_bvh::{Built, Bvh};
+use raggio_bvh::{BoxRow, Built, Bvh, Region};
 use raggio_math::{Aabb, Vec3};
 
-use crate::probe::{BoxRay, Probe};
+use crate::probe::Probe;
 
 /// Up to so many members are asked for in a row, without a tree.
-pub(crate) const FEW: usize = 8;
+pub(crate) const FEW: usize = BoxRow::MOST;
 
 /// Boxes are padded by this share, and by this much, for what rounding does to points and distances.
 const PADDING: f64 = 1e-7;
@@ -17,7 +17,7 @@ pub(crate) const ENOUGH: f64 = -1.0;
 
 /// Where the surfaces of members (by number) are.
 pub(crate) enum Index {
-    Few(Vec<(Aabb, u32)>),
+    Few(Box<BoxRow>),
     Many {
         bvh: Arc<Bvh>,
         /// Those without bounds; always asked.
@@ -29,6 +29,8 @@ pub(crate) enum Index {
 #[derive(Clone, Copy)]
 pub(crate) struct Decider {
     pub(crate) member: u32,
+    /// Asking it is as quick as asking its boxes.
+    pub(crate) quick: bool,
     /// Outside this box nothing is inside.
     pub(crate) inside: Aabb,
     /// Outside this box everything is inside.
@@ -49,6 +51,11 @@ pub(crate) fn padded(b: &Aabb) -> Aabb {
     Aabb { min: b.min - pad(b.min), max: b.max + pad(b.max) }
 }
 
+/// A few boxes, padded.
+pub(crate) fn row(boxes: &[Aabb]) -> BoxRow {
+    BoxRow::new(&boxes.iter().map(padded).collect::<Vec<_>>())
+}
+
 fn tree(boxes: &[Aabb], leaf_size: usize) -> (Arc<Bvh>, Vec<u32>) {
     let Built { bvh, unbounded } = Bvh::build(boxes, leaf_size);
     (Arc::new(bvh), unbounded)
@@ -66,9 +73,7 @@ pub(crate) fn indices(
         (d.inside, d.outside) = (padded(&d.inside), padded(&d.outside));
     }
     if surfaces.len() <= FEW {
-        let numbered = surfaces.iter().zip(0..).filter(|(b, _)| !b.is_empty());
-        let few = numbered.map(|(b, member)| (padded(b), member)).collect();
-        return (Index::Few(few), Deciders { listed: deciders, tree: None });
+        return (Index::Few(Box::new(row(surfaces))), Deciders { listed: deciders, tree: None });
     }
     let (bvh, listed) = tree(surfaces, leaf_size);
     let (deciding, always) = match surfaces == decisions {
@@ -80,34 +85,50 @@ pub(crate) fn indices(
 }
 
 impl Index {
-    /// Visits members on the ray, near ones first as far as boxes tell; see [`Bvh::closest`].
+    /// Visits members on the ray, near ones first as far as boxes tell; see [`Bvh::closest`]. The visitor is told the
+    /// member, the distance beyond which nothing interests any more, and between where its box lies on the ray.
     #[inline]
     pub(crate) fn closest(
         &self,
         probe: &Probe,
         range: (f64, f64),
-        mut visit: impl FnMut(u32, f64) -> Option<f64>,
+        mut visit: impl FnMut(u32, f64, (f64, f64)) -> Option<f64>,
     ) {
         let mut far = range.1;
         match self {
-            Index::Few(boxes) => {
-                let mut order = [(0.0, 0); FEW];
-                let touched = in_order(boxes, &probe.boxes, range, &mut order);
-                for &(t, member) in touched {
-                    if t > far {
-                        break;
-                    }
-                    far = visit(member, far).unwrap_or(far);
+            Index::Few(row) => {
+                let mut touched = row.touched(&probe.slab, range);
+                while let Some(touch) = touched.next(far) {
+                    let within = (touch.range.0.max(range.0), touch.range.1);
+                    far = visit(touch.place as u32, far, within).unwrap_or(far);
                 }
             }
             Index::Many { bvh, listed } => {
                 for &member in listed {
-                    far = visit(member, far).unwrap_or(far);
+                    far = visit(member, far, (range.0, far)).unwrap_or(far);
                     if far < 0.0 {
                         return;
                     }
                 }
-                bvh.closest_prepared(&probe.slab, (range.0, far), visit);
+                bvh.closest_prepared(&probe.slab, (range.0, far), |member, far| {
+                    visit(member, far, (range.0, far))
+                });
+            }
+        }
+    }
+
+    /// Visits the members that may reach into a region, each with a box around it, until `visit` says that it has seen
+    /// enough.
+    pub(crate) fn within(&self, region: &Region, mut visit: impl FnMut(u32, &Aabb) -> bool) {
+        match self {
+            Index::Few(row) => {
+                let mut enough = false;
+                row.within(region, |member, b| enough = enough || visit(member, b));
+            }
+            Index::Many { bvh, listed } => {
+                if !listed.iter().any(|&member| visit(member, &Aabb::INFINITE)) {
+                    bvh.within(region, visit);
+                }
             }
         }
     }
@@ -115,10 +136,7 @@ impl Index {
     /// Visits all members on the ray.
     pub(crate) fn all(&self, probe: &Probe, range: (f64, f64), mut visit: impl FnMut(u32)) {
         match self {
-            Index::Few(boxes) => {
-                let touched = |b: &Aabb| probe.boxes.entry(b, range).is_some();
-                boxes.iter().filter(|(b, _)| touched(b)).for_each(|&(_, member)| visit(member));
-            }
+            Index::Few(row) => row.touched(&probe.slab, range).each(|member| visit(member as u32)),
             Index::Many { bvh, listed } => {
                 listed.iter().for_each(|&member| visit(member));
                 bvh.closest_prepared(&probe.slab, range, |member, _| {
@@ -128,29 +146,6 @@ impl Index {
             }
         }
     }
-}
-
-/// The boxes that the ray touches, in the order in which it does, each with where it does and its number.
-#[inline]
-pub(crate) fn in_order<'a>(
-    boxes: &[(Aabb, u32)],
-    ray: &BoxRay,
-    range: (f64, f64),
-    order: &'a mut [(f64, u32); FEW],
-) -> &'a [(f64, u32)] {
-    let mut count = 0;
-    for (b, member) in boxes.iter().take(FEW) {
-        if let Some(t) = ray.entry(b, range) {
-            let mut at = count;
-            while at > 0 && order[at - 1].0 > t {
-                order[at] = order[at - 1];
-                at -= 1;
-            }
-            order[at] = (t, *member);
-            count += 1;
-        }
-    }
-    &order[..count]
 }
 
 impl Deciders {
@@ -166,6 +161,9 @@ impl Deciders {
 impl Decider {
     #[inline]
     fn contains(&self, p: Vec3) -> Option<bool> {
+        if self.quick {
+            return None;
+        }
         if !self.inside.contains(p) {
             return Some(false);
         }

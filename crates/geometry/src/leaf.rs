@@ -2,7 +2,7 @@
 use raggio_math::{Aabb, Affine, Ray, Vec2, Vec3, transform};
 
 use crate::index::transformed;
-use crate::shapes::{Few, ShapeKind, Sphere};
+use crate::shapes::{Cuboid, Few, Plane, ShapeKind, Sphere};
 use crate::tree::{Node, NodeRef};
 use crate::{Hit, LocalHit, MaterialId, Surface};
 
@@ -15,29 +15,31 @@ pub(crate) struct Leaf {
     pub(crate) inverted: bool,
 }
 
-/// Which shape, where.
+/// Which shape, where. The simplest are here and now, in world coordinates.
 #[derive(Clone, Copy)]
 pub(crate) enum Prim {
-    /// A sphere in world coordinates: index into [`Leaves::spheres`].
-    Sphere(u32),
+    /// A sphere that its transform has left round.
+    Sphere {
+        sphere: Sphere,
+        /// Place of a sphere that was turned, for the sake of its texture coordinates.
+        place: Option<u32>,
+    },
+    /// A plane.
+    Plane(Plane),
+    /// A box along the axes.
+    Box(Cuboid),
+    /// A box at a place: index into [`Leaves::places`]. Its rays keep the world's distances.
+    PlacedBox { cuboid: Cuboid, place: u32 },
     /// A shape whose own coordinates are the world's: index into [`Leaves::shapes`].
     World(u32),
     /// A shape and its place: indices into [`Leaves::shapes`] and [`Leaves::places`].
     Placed { shape: u32, place: u32 },
 }
 
-/// A sphere that its transform has left round.
-pub(crate) struct WorldSphere {
-    pub(crate) sphere: Sphere,
-    /// Place of a sphere that was turned, for the sake of its texture coordinates.
-    pub(crate) place: Option<u32>,
-}
-
 /// All leaves of a scene and what they consist of, in flat arrays.
 #[derive(Default)]
 pub(crate) struct Leaves {
     pub(crate) leaves: Vec<Leaf>,
-    pub(crate) spheres: Vec<WorldSphere>,
     pub(crate) shapes: Vec<ShapeKind>,
     /// `object_from_world`
     pub(crate) places: Vec<Affine>,
@@ -101,43 +103,48 @@ impl Leaves {
     ) -> Option<Hit> {
         let leaf = &self.leaves[index as usize];
         let at = |t: f64, local: LocalHit| Hit { t, leaf: index, inverted: leaf.inverted, local };
-        match leaf.prim {
-            Prim::Sphere(s) => {
-                self.spheres[s as usize].sphere.closest(ray, range).map(|local| at(local.t, local))
+        let local = match &leaf.prim {
+            Prim::Sphere { sphere, .. } => sphere.closest(ray, range)?,
+            Prim::Plane(plane) => plane.closest(ray, range)?,
+            Prim::Box(cuboid) => cuboid.closest(ray, range)?,
+            Prim::PlacedBox { cuboid, place } => {
+                cuboid.closest(&ray.transformed(&self.places[*place as usize]), range)?
             }
-            Prim::World(s) => self.shapes[s as usize]
-                .closest_or(ray, range, |local| stops(&at(local.t, *local)))
-                .map(|local| at(local.t, local)),
+            Prim::World(s) => {
+                self.shapes[*s as usize].closest_or(ray, range, |local| stops(&at(local.t, *local)))?
+            }
             Prim::Placed { shape, place } => {
-                let local = LocalRay::new(ray, &self.places[place as usize]);
+                let local = LocalRay::new(ray, &self.places[*place as usize]);
                 let world = |hit: &LocalHit| at(hit.t / local.stretch, *hit);
-                let hit = local.closest(&self.shapes[shape as usize], range, |hit| stops(&world(hit)))?;
-                Some(world(&hit))
+                let hit = local.closest(&self.shapes[*shape as usize], range, |hit| stops(&world(hit)))?;
+                return Some(world(&hit));
             }
-        }
+        };
+        Some(at(local.t, local))
     }
 
     /// Collects every hit of one leaf in its shape's own coordinates, near ones first, where the shape has but a few;
     /// `None` where it may have more. Returns what to divide distances by.
     #[inline]
     fn few(&self, leaf: &Leaf, ray: &Ray, range: (f64, f64), out: &mut Few) -> Option<f64> {
-        let (found, stretch) = match leaf.prim {
-            Prim::Sphere(s) => {
-                self.spheres[s as usize].sphere.few(ray, range, out);
-                (true, 1.0)
+        match &leaf.prim {
+            Prim::Sphere { sphere, .. } => sphere.few(ray, range, out),
+            Prim::Plane(plane) => out.extend(plane.closest(ray, range), range),
+            Prim::Box(cuboid) => cuboid.few(ray, range, out),
+            Prim::PlacedBox { cuboid, place } => {
+                cuboid.few(&ray.transformed(&self.places[*place as usize]), range, out);
             }
-            Prim::World(s) => (self.shapes[s as usize].few(ray, range, out), 1.0),
+            Prim::World(s) => return self.shapes[*s as usize].few(ray, range, out).then_some(1.0),
             Prim::Placed { shape, place } => {
-                let shape = &self.shapes[shape as usize];
+                let shape = &self.shapes[*shape as usize];
                 if !shape.has_few() {
                     return None;
                 }
-                let local = LocalRay::new(ray, &self.places[place as usize]);
-                (shape.few(&local.ray, local.range(range), out), local.stretch)
+                let local = LocalRay::new(ray, &self.places[*place as usize]);
+                return shape.few(&local.ray, local.range(range), out).then_some(local.stretch);
             }
-        };
-        out.sort();
-        found.then_some(stretch)
+        }
+        Some(1.0)
     }
 
     /// The nearest hit of one leaf that `counts` says yes to. Only for shapes with few hits: `None` for others.
@@ -147,15 +154,15 @@ impl Leaves {
         index: u32,
         ray: &Ray,
         range: (f64, f64),
-        counts: impl Fn(&Hit) -> bool,
+        counts: impl Fn(f64) -> bool,
     ) -> Option<Option<Hit>> {
         let leaf = &self.leaves[index as usize];
         let mut few = Few::default();
         let stretch = self.few(leaf, ray, range, &mut few)?;
-        for &local in few.as_slice() {
-            let hit = Hit { t: local.t / stretch, leaf: index, inverted: leaf.inverted, local };
-            if hit.t > range.0 && hit.t < range.1 && counts(&hit) {
-                return Some(Some(hit));
+        while let Some(local) = few.pop_nearest() {
+            let t = local.t / stretch;
+            if t > range.0 && t < range.1 && counts(t) {
+                return Some(Some(Hit { t, leaf: index, inverted: leaf.inverted, local }));
             }
         }
         Some(None)
@@ -172,21 +179,21 @@ impl Leaves {
     ) {
         let leaf = &self.leaves[index as usize];
         let start = buffer.len();
-        let stretch = match leaf.prim {
-            Prim::Sphere(s) => {
-                self.spheres[s as usize].sphere.hits(ray, range, buffer);
-                1.0
+        let mut stretch = 1.0;
+        match &leaf.prim {
+            Prim::Sphere { sphere, .. } => sphere.hits(ray, range, buffer),
+            Prim::Plane(plane) => plane.hits(ray, range, buffer),
+            Prim::Box(cuboid) => cuboid.hits(ray, range, buffer),
+            Prim::PlacedBox { cuboid, place } => {
+                cuboid.hits(&ray.transformed(&self.places[*place as usize]), range, buffer);
             }
-            Prim::World(s) => {
-                self.shapes[s as usize].hits(ray, range, buffer);
-                1.0
-            }
+            Prim::World(s) => self.shapes[*s as usize].hits(ray, range, buffer),
             Prim::Placed { shape, place } => {
-                let local = LocalRay::new(ray, &self.places[place as usize]);
-                self.shapes[shape as usize].hits(&local.ray, local.range(range), buffer);
-                local.stretch
+                let local = LocalRay::new(ray, &self.places[*place as usize]);
+                self.shapes[*shape as usize].hits(&local.ray, local.range(range), buffer);
+                stretch = local.stretch;
             }
-        };
+        }
         for &local in &buffer[start..] {
             let t = local.t / stretch;
             if t > range.0 && t < range.1 {
@@ -219,36 +226,44 @@ impl Leaves {
     }
 
     /// Is the point in the leaf, its inversion counted?
+    #[inline]
     pub(crate) fn inside(&self, index: u32, p: Vec3) -> bool {
         let leaf = &self.leaves[index as usize];
-        let inside = match leaf.prim {
-            Prim::Sphere(s) => self.spheres[s as usize].sphere.inside(p),
-            Prim::World(s) => self.shapes[s as usize].inside(p),
-            Prim::Placed { shape, place } => {
-                self.shapes[shape as usize].inside(self.places[place as usize].transform_point3(p))
-            }
+        let moved = |place: u32| self.places[place as usize].transform_point3(p);
+        let inside = match &leaf.prim {
+            Prim::Sphere { sphere, .. } => sphere.inside(p),
+            Prim::Plane(plane) => plane.inside(p),
+            Prim::Box(cuboid) => cuboid.inside(p),
+            Prim::PlacedBox { cuboid, place } => cuboid.inside(moved(*place)),
+            Prim::World(s) => self.shapes[*s as usize].inside(p),
+            Prim::Placed { shape, place } => self.shapes[*shape as usize].inside(moved(*place)),
         };
         inside != leaf.inverted
     }
 
-    /// The hit in the shape's own coordinates.
-    pub(crate) fn local_point(&self, ray: &Ray, hit: &Hit) -> Vec3 {
-        match self.leaves[hit.leaf as usize].prim {
-            Prim::Placed { place, .. } => {
-                LocalRay::new(ray, &self.places[place as usize]).ray.at(hit.local.t)
+    /// A point of the world in the coordinates of the shape of a leaf.
+    pub(crate) fn local_point(&self, leaf: u32, p: Vec3) -> Vec3 {
+        match self.leaves[leaf as usize].prim {
+            Prim::Placed { place, .. } | Prim::PlacedBox { place, .. } => {
+                self.places[place as usize].transform_point3(p)
             }
-            _ => ray.at(hit.t),
+            _ => p,
         }
     }
 
     /// The unit normal in the world, the leaf's inversion counted, given the point in the shape's coordinates.
     pub(crate) fn normal(&self, hit: &Hit, local_point: Vec3) -> Vec3 {
-        let n = match self.leaves[hit.leaf as usize].prim {
-            Prim::Sphere(s) => self.spheres[s as usize].sphere.normal(local_point, &hit.local),
-            Prim::World(s) => self.shapes[s as usize].normal(local_point, &hit.local),
+        let moved = |place: u32, n: Vec3| {
+            transform::normal_by_inverse(&self.places[place as usize], n).normalize_or(Vec3::X)
+        };
+        let n = match &self.leaves[hit.leaf as usize].prim {
+            Prim::Sphere { sphere, .. } => sphere.normal(local_point, &hit.local),
+            Prim::Plane(plane) => plane.normal(local_point, &hit.local),
+            Prim::Box(cuboid) => cuboid.normal(local_point, &hit.local),
+            Prim::PlacedBox { cuboid, place } => moved(*place, cuboid.normal(local_point, &hit.local)),
+            Prim::World(s) => self.shapes[*s as usize].normal(local_point, &hit.local),
             Prim::Placed { shape, place } => {
-                let n = self.shapes[shape as usize].normal(local_point, &hit.local);
-                transform::normal_by_inverse(&self.places[place as usize], n).normalize_or(Vec3::X)
+                moved(*place, self.shapes[*shape as usize].normal(local_point, &hit.local))
             }
         };
         if hit.inverted { -n } else { n }
@@ -256,27 +271,34 @@ impl Leaves {
 
     /// Texture coordinates; shapes without a rule of their own take x and y of the world point.
     pub(crate) fn uv(&self, hit: &Hit, local_point: Vec3, world_point: Vec3) -> Vec2 {
-        let uv = match self.leaves[hit.leaf as usize].prim {
-            Prim::Sphere(s) => {
-                let WorldSphere { sphere, place } = &self.spheres[s as usize];
+        let uv = match &self.leaves[hit.leaf as usize].prim {
+            Prim::Sphere { sphere, place } => {
                 let offset = sphere.normal(local_point, &hit.local) * sphere.sign();
                 Some(Sphere::uv_of(match place {
                     Some(place) => self.places[*place as usize].transform_vector3(offset),
                     None => offset,
                 }))
             }
+            Prim::Plane(_) => None,
+            Prim::Box(cuboid) | Prim::PlacedBox { cuboid, .. } => cuboid.uv(local_point, &hit.local),
             Prim::World(shape) | Prim::Placed { shape, .. } => {
-                self.shapes[shape as usize].uv(local_point, &hit.local)
+                self.shapes[*shape as usize].uv(local_point, &hit.local)
             }
         };
         uv.unwrap_or(Vec2::new(world_point.x, world_point.y))
     }
 
-    /// The shape of a leaf, unless it is a sphere in world coordinates.
+    /// The shape of a leaf, unless it is one of the simplest.
     pub(crate) fn shape(&self, leaf: u32) -> Option<&ShapeKind> {
         match self.leaves[leaf as usize].prim {
-            Prim::Sphere(_) => None,
             Prim::World(shape) | Prim::Placed { shape, .. } => Some(&self.shapes[shape as usize]),
+            _ => None,
         }
+    }
+
+    /// Is asking whether a point is in the node as quick as asking its boxes?
+    pub(crate) fn is_quick(&self, node: NodeRef) -> bool {
+        matches!(node.node(), Node::Leaf(leaf)
+            if matches!(self.leaves[leaf as usize].prim, Prim::Sphere { .. } | Prim::Plane(_) | Prim::Box(_)))
     }
 }

@@ -9,6 +9,7 @@ mod inherit;
 mod leaf;
 mod materials;
 mod probe;
+mod shaft;
 mod shape_pool;
 mod shapes;
 mod surface;
@@ -16,6 +17,7 @@ mod texturing;
 mod tree;
 mod world;
 
+pub use shaft::{Shaft, Standing};
 pub use surface::{LocalHit, Surface};
 pub use world::{
     BlockerGuess, BuildError, Geometry, Hit, Interaction, InteriorId, InteriorInfo, LightGroupId, Material,

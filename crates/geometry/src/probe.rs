@@ -5,13 +5,10 @@ use raggio_math::{Aabb, Ray, Vec3};
 /// Inverse directions are kept finite, so that no product of zero and infinity can arise.
 const MAX_INVERSE: f64 = 1e300;
 
-/// A ray with what the tests of trees and of single boxes need of it.
+/// A ray with what the tests of boxes need of it.
 pub(crate) struct Probe {
     pub(crate) ray: Ray,
-    /// For trees.
     pub(crate) slab: Slab,
-    /// For single boxes.
-    pub(crate) boxes: BoxRay,
 }
 
 /// A ray with what tests of single boxes need of it.
@@ -23,7 +20,7 @@ pub(crate) struct BoxRay {
 impl Probe {
     #[inline]
     pub(crate) fn new(ray: &Ray) -> Self {
-        Probe { ray: *ray, slab: Slab::new(ray), boxes: BoxRay::new(ray) }
+        Probe { ray: *ray, slab: Slab::new(ray) }
     }
 }
 

@@ -6,8 +6,8 @@ use raggio_scene::Shape;
 use rustc_hash::FxHashMap;
 
 use crate::index::transformed;
-use crate::leaf::{Leaves, Prim, WorldSphere};
-use crate::shapes::{self, Plane, ShapeKind, Sphere};
+use crate::leaf::{Leaves, Prim};
+use crate::shapes::{self, Cuboid, Plane, Sphere};
 use crate::{BuildError, Surface};
 
 /// Remembers which shapes and places are there already.
@@ -42,21 +42,41 @@ impl ShapePool {
     ) -> Result<PlacedShape, BuildError> {
         match &**shape {
             Shape::Plane { normal, distance } => {
-                Ok(place_plane(leaves, *normal, *distance, world_from_object, inverted))
+                Ok(place_plane(*normal, *distance, world_from_object, inverted))
             }
             Shape::Sphere { center, radius } => match uniform_scale(world_from_object) {
                 Some(scale) => {
                     let sphere = Sphere::new(world_from_object.transform_point3(*center), radius * scale);
                     let place = (!is_plain(&world_from_object.matrix3, scale))
                         .then(|| self.place_id(leaves, world_from_object));
-                    leaves.spheres.push(WorldSphere { sphere, place });
-                    let prim = Prim::Sphere(leaves.spheres.len() as u32 - 1);
-                    Ok(boxed(prim, inverted, sphere.bounds(), sphere.bounds()))
+                    Ok(boxed(Prim::Sphere { sphere, place }, inverted, sphere.bounds(), sphere.bounds()))
                 }
                 None => self.place_general(leaves, shape, world_from_object, inverted),
             },
+            Shape::Box { min, max } if most_stretch(world_from_object) <= MOST_STRETCH => {
+                Ok(self.place_box(leaves, Cuboid::new(*min, *max), world_from_object, inverted))
+            }
             _ => self.place_general(leaves, shape, world_from_object, inverted),
         }
+    }
+
+    /// A box goes into the world where its transform only moves and stretches it.
+    fn place_box(
+        &mut self,
+        leaves: &mut Leaves,
+        cuboid: Cuboid,
+        world_from_object: &Affine,
+        inverted: bool,
+    ) -> PlacedShape {
+        let m = &world_from_object.matrix3;
+        let scale = Vec3::new(m.x_axis.x, m.y_axis.y, m.z_axis.z);
+        if *m == Mat3::from_diagonal(scale) && scale.cmpgt(Vec3::ZERO).all() {
+            let moved = cuboid.moved(scale, world_from_object.translation);
+            return boxed(Prim::Box(moved), inverted, moved.bounds(), moved.bounds());
+        }
+        let bounds = transformed(&cuboid.bounds(), world_from_object);
+        let place = self.place_id(leaves, world_from_object);
+        boxed(Prim::PlacedBox { cuboid, place }, inverted, bounds, bounds)
     }
 
     fn place_general(
@@ -147,20 +167,13 @@ fn boxed(prim: Prim, inverted: bool, surface: Aabb, inside: Aabb) -> PlacedShape
 }
 
 /// A plane goes into the world for good; `inverse` turns the plane itself round.
-fn place_plane(
-    leaves: &mut Leaves,
-    normal: Vec3,
-    distance: f64,
-    world_from_object: &Affine,
-    inverted: bool,
-) -> PlacedShape {
+fn place_plane(normal: Vec3, distance: f64, world_from_object: &Affine, inverted: bool) -> PlacedShape {
     let n = transform::normal_by_inverse(&world_from_object.inverse(), normal).normalize_or(normal);
     let d = n.dot(world_from_object.transform_point3(normal * distance));
     let (n, d) = if inverted { (-n, -d) } else { (n, d) };
     let plane = Plane::new(n, d);
-    leaves.shapes.push(ShapeKind::Plane(plane));
     PlacedShape {
-        prim: Prim::World(leaves.shapes.len() as u32 - 1),
+        prim: Prim::Plane(plane),
         inverted: false,
         surface: Aabb::INFINITE,
         inside: plane.inside_bounds(),
@@ -168,8 +181,17 @@ fn place_plane(
     }
 }
 
+/// Up to so much stretching the least distances of shapes stay below what any ray reports.
+const MOST_STRETCH: f64 = 100.0;
+
+/// No transformed vector is longer by more than this.
+fn most_stretch(t: &Affine) -> f64 {
+    let m = &t.matrix3;
+    (m.x_axis.length_squared() + m.y_axis.length_squared() + m.z_axis.length_squared()).sqrt()
+}
+
 /// By how much a transform stretches, if by the same in all directions.
-fn uniform_scale(t: &Affine) -> Option<f64> {
+pub(crate) fn uniform_scale(t: &Affine) -> Option<f64> {
     let m = &t.matrix3;
     let square = m.transpose() * *m;
     let s2 = square.x_axis.x;

@@ -3,6 +3,8 @@
 //! Unions, merges and intersections are all that is left of the operations: a difference is an intersection with
 //! inverted members, and inversion has been carried down to the leaves. A surface point counts where the other members
 //! have it so (shapes spec, section 8), so a hit is judged on its own and queries may be cut to any range.
+use std::cell::Cell;
+
 use raggio_math::Vec3;
 
 use crate::index::{Deciders, ENOUGH, Index};
@@ -29,6 +31,11 @@ impl NodeRef {
 
     pub(crate) fn group(index: usize) -> Self {
         NodeRef(index as u32 | Self::GROUP)
+    }
+
+    #[inline]
+    pub(crate) fn is_leaf(self) -> bool {
+        self.0 & Self::GROUP == 0
     }
 
     #[inline]
@@ -70,11 +77,35 @@ pub(crate) struct Group {
     pub(crate) bounds: Vec<NodeRef>,
 }
 
-/// Room for lists of hits, kept from ray to ray.
+/// Lists of hits.
 #[derive(Default)]
-pub(crate) struct Scratch {
-    pub(crate) hits: Vec<Hit>,
-    pub(crate) local: Vec<LocalHit>,
+pub(crate) struct Lists {
+    hits: Vec<Hit>,
+    local: Vec<LocalHit>,
+}
+
+thread_local! {
+    /// Lists kept from ray to ray, so that none allocates.
+    static LISTS: Cell<Lists> = Cell::default();
+}
+
+/// Room for lists of hits, fetched when first it is needed.
+#[derive(Default)]
+pub(crate) struct Scratch(Option<Lists>);
+
+impl Scratch {
+    fn lists(&mut self) -> &mut Lists {
+        self.0.get_or_insert_with(|| LISTS.take())
+    }
+}
+
+impl Drop for Scratch {
+    #[inline]
+    fn drop(&mut self) {
+        if let Some(lists) = self.0.take() {
+            LISTS.set(lists);
+        }
+    }
 }
 
 /// Leaves and groups.
@@ -127,12 +158,13 @@ impl Tree {
         }
         let all_count = group.all_count();
         let mut best: Option<Hit> = None;
-        group.surfaces.closest(probe, range, |index, far| {
+        group.surfaces.closest(probe, range, |index, far, within| {
             let member = &group.members[index as usize];
             if member.skip & class != 0 {
                 return None;
             }
-            let range = (range.0, far);
+            // A group with bounds may show more than its box holds.
+            let range = if member.node.is_leaf() { within } else { (range.0, far) };
             let hit = match all_count {
                 true => self.closest(member.node, probe, range, class, scratch, stops)?,
                 false => self.closest_that_counts(group, index, probe, range, class, scratch)?,
@@ -154,18 +186,18 @@ impl Tree {
         scratch: &mut Scratch,
     ) -> Option<Hit> {
         let node = group.members[member as usize].node;
-        let counts = |hit: &Hit| self.counts(group, member, probe.ray.at(hit.t));
+        let counts = |t: f64| self.counts(group, member, probe.ray.at(t));
         if let Node::Leaf(leaf) = node.node()
             && let Some(found) = self.leaves.closest_of_few(leaf, &probe.ray, range, counts)
         {
             return found;
         }
-        let start = scratch.hits.len();
+        let start = scratch.lists().hits.len();
         self.hits(node, probe, range, class, scratch);
-        let found = &mut scratch.hits[start..];
+        let found = &mut scratch.lists().hits[start..];
         found.sort_unstable_by(|a, b| a.t.total_cmp(&b.t));
-        let best = found.iter().find(|hit| counts(hit)).copied();
-        scratch.hits.truncate(start);
+        let best = found.iter().find(|hit| counts(hit.t)).copied();
+        scratch.lists().hits.truncate(start);
         best
     }
 
@@ -173,7 +205,8 @@ impl Tree {
     fn hits(&self, node: NodeRef, probe: &Probe, range: (f64, f64), class: u8, scratch: &mut Scratch) {
         let group = match node.node() {
             Node::Leaf(leaf) => {
-                return self.leaves.hits(leaf, &probe.ray, range, &mut scratch.local, &mut scratch.hits);
+                let Lists { hits, local } = scratch.lists();
+                return self.leaves.hits(leaf, &probe.ray, range, local, hits);
             }
             Node::Group(group) => &self.groups[group as usize],
         };
@@ -186,19 +219,20 @@ impl Tree {
             if member.skip & class != 0 {
                 return;
             }
-            let start = scratch.hits.len();
+            let start = scratch.lists().hits.len();
             self.hits(member.node, probe, range, class, scratch);
             if all_count {
                 return;
             }
+            let hits = &mut scratch.lists().hits;
             let mut kept = start;
-            for i in start..scratch.hits.len() {
-                if self.counts(group, index, probe.ray.at(scratch.hits[i].t)) {
-                    scratch.hits.swap(kept, i);
+            for i in start..hits.len() {
+                if self.counts(group, index, probe.ray.at(hits[i].t)) {
+                    hits.swap(kept, i);
                     kept += 1;
                 }
             }
-            scratch.hits.truncate(kept);
+            hits.truncate(kept);
         });
     }
 

@@ -1,5 +1,4 @@
 //! A scene's objects, compiled: what rays are shot at.
-use std::cell::Cell;
 use std::sync::Arc;
 
 use raggio_math::{Aabb, Affine, MAX_DISTANCE, MIN_HIT, Ray, Vec2, Vec3};
@@ -9,6 +8,7 @@ use smallvec::SmallVec;
 use crate::flatten::{Flat, flatten};
 use crate::index::ENOUGH;
 use crate::probe::Probe;
+use crate::shaft::{Shaft, Standing};
 use crate::texturing::{Parts, Texturing};
 use crate::tree::{Group, Node, NodeRef, Scratch, Tree};
 
@@ -176,16 +176,13 @@ pub struct Geometry {
     pub interiors: Vec<InteriorInfo>,
     /// Lights found in the tree, global ones and those of groups, in the order of the scene.
     pub lights: Vec<PlacedLight>,
-    tree: Tree,
+    /// Are the texture coordinates of interactions worked out? They are zero otherwise.
+    pub asks_uv: bool,
+    pub(crate) tree: Tree,
     /// The outermost union.
-    world: Group,
+    pub(crate) world: Group,
     bounds: Aabb,
     parts: Parts,
-}
-
-thread_local! {
-    /// Room for lists of hits, so that no ray allocates.
-    static SCRATCH: Cell<Scratch> = Cell::default();
 }
 
 impl Geometry {
@@ -213,6 +210,7 @@ impl Geometry {
             textures: materials.textures,
             interiors: materials.interiors,
             lights,
+            asks_uv: true,
             tree: Tree { leaves, groups },
             world,
             bounds,
@@ -224,30 +222,31 @@ impl Geometry {
     /// [`MIN_HIT`] or farther than [`MAX_DISTANCE`] is ever hit.
     pub fn closest(&self, ray: &Ray, range: (f64, f64), class: RayClass) -> Option<Hit> {
         let range = (range.0.max(MIN_HIT), range.1.min(MAX_DISTANCE));
-        let mut scratch = SCRATCH.take();
-        let hit =
-            self.tree
-                .group_closest(&self.world, &Probe::new(ray), range, class.bit(), &mut scratch, &|_| false);
-        SCRATCH.set(scratch);
-        hit
+        let mut scratch = Scratch::default();
+        self.tree.group_closest(&self.world, &Probe::new(ray), range, class.bit(), &mut scratch, &|_| false)
     }
 
     /// Like [`Geometry::closest`], but any hit that `stops` says yes to ends the search: the answer is the nearest hit,
-    /// or one that stops. For shadow rays. `guess` remembers what stopped the last ray that was asked with it and is
-    /// tried first; keep one for each light.
+    /// or one that stops. For shadow rays. Only what is `standing` in the way is asked. `guess` remembers what stopped
+    /// the last ray that was asked with it and is tried first; keep one for each light.
     pub fn blocker(
         &self,
         ray: &Ray,
         range: (f64, f64),
         class: RayClass,
+        standing: &Standing,
         guess: &mut BlockerGuess,
         stops: impl Fn(&Hit) -> bool,
     ) -> Option<Hit> {
         let range = (range.0.max(MIN_HIT), range.1.min(MAX_DISTANCE));
         let probe = Probe::new(ray);
-        let mut scratch = SCRATCH.take();
+        let mut scratch = Scratch::default();
         let mut best: Option<Hit> = None;
-        let tried = guess.member.filter(|&m| (m as usize) < self.world.members.len());
+        let stands = |m: &u32| match standing {
+            Standing::Anything => (*m as usize) < self.world.members.len(),
+            Standing::Listed(list) => list.holds(*m),
+        };
+        let tried = guess.member.filter(stands);
         let mut ask = |index: u32, far: f64| {
             let member = &self.world.members[index as usize];
             if member.skip & class.bit() != 0 {
@@ -262,11 +261,19 @@ impl Geometry {
             guess.member = Some(index);
             Some(ENOUGH)
         };
-        let far = tried.and_then(|member| ask(member, range.1)).unwrap_or(range.1);
-        if far >= 0.0 {
-            self.world.surfaces.closest(&probe, (range.0, far), ask);
+        let mut far = tried.and_then(|member| ask(member, range.1)).unwrap_or(range.1);
+        match standing {
+            _ if far < 0.0 => {}
+            Standing::Anything => {
+                self.world.surfaces.closest(&probe, (range.0, far), |member, far, _| ask(member, far));
+            }
+            Standing::Listed(list) => {
+                let mut touched = list.boxes.touched(&probe.slab, (range.0, far));
+                while let Some(touch) = touched.next(far) {
+                    far = ask(list.member(touch.place), far).unwrap_or(far);
+                }
+            }
         }
-        SCRATCH.set(scratch);
         best
     }
 
@@ -285,14 +292,14 @@ impl Geometry {
     pub fn interaction(&self, ray: &Ray, hit: &Hit) -> Interaction {
         let leaves = &self.tree.leaves;
         let p = ray.at(hit.t);
-        let local = leaves.local_point(ray, hit);
+        let local = leaves.local_point(hit.leaf, p);
         let n = leaves.normal(hit, local);
         let from_inside = n.dot(ray.dir) > 0.0;
         let texturing = Texturing { tree: &self.tree, materials: &self.materials, parts: &self.parts };
         Interaction {
             p,
             n,
-            uv: leaves.uv(hit, local, p),
+            uv: if self.asks_uv { leaves.uv(hit, local, p) } else { Vec2::ZERO },
             from_inside,
             material: leaves.leaves[hit.leaf as usize].material,
             textures: texturing.at(hit, p, local, from_inside),
@@ -319,6 +326,14 @@ impl Geometry {
             self.interiors_of(self.world.members[m as usize].node, p, true, &mut found);
         }
         found
+    }
+
+    /// The interiors of all objects that contain the points of a box, if they are plainly the same for all.
+    pub fn interiors_within(&self, b: &Aabb) -> Option<SmallVec<[InteriorId; 8]>> {
+        match self.standing_in(&Shaft::of_box(b), RayClass::Any) {
+            Standing::Listed(list) if list.is_empty() => Some(self.interiors_at(b.centre())),
+            _ => None,
+        }
     }
 
     /// The interiors of a node that contains the point: those of its leaves that contain it. What merely cuts has no

@@ -39,15 +39,32 @@ impl<const N: usize> std::ops::Deref for Roots<N> {
 }
 
 /// The value at `x`.
-#[inline]
+#[inline(always)]
 pub fn eval(c: &[f64], x: f64) -> f64 {
-    c.iter().rev().fold(0.0, |v, &k| v * x + k)
+    let mut v = 0.0;
+    for k in (0..c.len()).rev() {
+        v = v * x + c[k];
+    }
+    v
 }
 
 /// The value and the slope at `x`.
-#[inline]
+#[inline(always)]
 fn eval_with_slope(c: &[f64], x: f64) -> (f64, f64) {
-    c.iter().rev().fold((0.0, 0.0), |(v, s), &k| (v * x + k, s * x + v))
+    let (mut v, mut s) = (0.0, 0.0);
+    for k in (0..c.len()).rev() {
+        (v, s) = (v * x + c[k], s * x + v);
+    }
+    (v, s)
+}
+
+/// Up to so many coefficients are used all, zero or not: loops of known length are unrolled.
+const UNROLLED: usize = 9;
+
+/// The coefficients that count of a polynomial of degree `n`.
+#[inline(always)]
+fn used<const N: usize>(c: &[f64; N], n: usize) -> &[f64] {
+    if N <= UNROLLED { c } else { &c[..=n] }
 }
 
 /// The real roots of `c[0] + c[1] t + c[2] t^2`, sorted, without cancellation; a double root once.
@@ -111,7 +128,7 @@ pub fn visit_roots_in<const N: usize>(c: &[f64; N], lo: f64, hi: f64, visit: imp
         (lo.max(-bound), hi.min(bound))
     };
     if lo <= hi {
-        solve(c, n, (lo, eval(&c[..=n], lo)), (hi, eval(&c[..=n], hi)), visit);
+        solve(c, n, (lo, eval(used(c, n), lo)), (hi, eval(used(c, n), hi)), visit);
     }
 }
 
@@ -181,6 +198,21 @@ const BINOMIAL: [[f64; MAX_DEGREE + 1]; MAX_DEGREE + 1] = {
     table
 };
 
+/// `1 / C(n, k)` for short polynomials.
+const INVERSE_BINOMIAL: [[f64; UNROLLED]; UNROLLED] = {
+    let mut table = [[0.0; UNROLLED]; UNROLLED];
+    let mut n = 0;
+    while n < UNROLLED {
+        let mut k = 0;
+        while k <= n {
+            table[n][k] = 1.0 / BINOMIAL[n][k];
+            k += 1;
+        }
+        n += 1;
+    }
+    table
+};
+
 /// The `k`-th derivative divided by `k!`.
 #[inline]
 fn derivative<const N: usize>(c: &[f64; N], n: usize, k: usize) -> [f64; N] {
@@ -205,6 +237,16 @@ fn solve<const N: usize>(
     hi: (f64, f64),
     mut visit: impl FnMut(f64) -> bool,
 ) {
+    if (4..=UNROLLED).contains(&N) {
+        match sign_changes(c, lo, hi) {
+            0 => return,
+            1 if (lo.1 < 0.0) != (hi.1 < 0.0) => {
+                visit(refine(c, lo, hi, guess(lo, hi, false, false), ROOT_STEP));
+                return;
+            }
+            _ => {}
+        }
+    }
     let mut knots: Roots<N> = Roots::NONE;
     let mut add = |x: f64| {
         if lo.0 < x && x < hi.0 {
@@ -222,16 +264,39 @@ fn solve<const N: usize>(
     }
     for k in (1..n.saturating_sub(3)).rev() {
         let q = derivative(c, n, k);
-        let q = &q[..=n - k];
         let mut next = Roots::NONE;
-        let (first, last) = ((lo.0, eval(q, lo.0)), (hi.0, eval(q, hi.0)));
-        crossings(q, &knots, first, last, KNOT_STEP, |x| {
+        let at = |x: f64| (x, eval(used(&q, n - k), x));
+        crossings((&q, n - k), &knots, at(lo.0), at(hi.0), KNOT_STEP, |x| {
             next.push(x);
             true
         });
         knots = next;
     }
-    crossings(&c[..=n], &knots, lo, hi, ROOT_STEP, &mut visit);
+    crossings((c, n), &knots, lo, hi, ROOT_STEP, &mut visit);
+}
+
+/// How often the sign changes along the Bernstein coefficients over an interval: at least as often as there are roots
+/// in it, and by an even number more (Descartes' rule of signs). The values at the ends are taken as given.
+#[inline]
+fn sign_changes<const N: usize>(c: &[f64; N], lo: (f64, f64), hi: (f64, f64)) -> u32 {
+    let mut b = *c;
+    for k in 0..N - 1 {
+        for j in (k..N - 1).rev() {
+            b[j] += lo.0 * b[j + 1];
+        }
+    }
+    let (width, mut power) = (hi.0 - lo.0, 1.0);
+    for k in 1..N {
+        power *= width;
+        b[k] *= power * INVERSE_BINOMIAL[N - 1][k];
+    }
+    for k in (1..N).rev() {
+        for j in k..N {
+            b[j] += b[j - 1];
+        }
+    }
+    (b[0], b[N - 1]) = (lo.1, hi.1);
+    (1..N).map(|k| u32::from((b[k] < 0.0) != (b[k - 1] < 0.0))).sum()
 }
 
 /// The roots of a cubic, sorted, well enough to tell where another polynomial turns: Newton's method from beyond the
@@ -272,10 +337,10 @@ fn cubic_knots(c: [f64; 4]) -> Roots<3> {
     roots
 }
 
-/// One root in each gap between neighbouring knots at which the signs differ.
+/// One root in each gap between neighbouring knots at which the signs differ, of a polynomial with its degree.
 #[inline]
 fn crossings<const N: usize>(
-    c: &[f64],
+    (c, n): (&[f64; N], usize),
     knots: &Roots<N>,
     lo: (f64, f64),
     hi: (f64, f64),
@@ -284,10 +349,10 @@ fn crossings<const N: usize>(
 ) {
     let mut left = lo;
     for i in 0..=knots.len {
-        let right = if i < knots.len { (knots.values[i], eval(c, knots.values[i])) } else { hi };
+        let right = if i < knots.len { (knots.values[i], eval(used(c, n), knots.values[i])) } else { hi };
         if (left.1 < 0.0) != (right.1 < 0.0) {
             let guess = guess(left, right, i > 0, i < knots.len);
-            if !visit(refine(c, left, right, guess, least_step)) {
+            if !visit(refine(used(c, n), left, right, guess, least_step)) {
                 return;
             }
         }
@@ -306,7 +371,8 @@ fn guess(left: (f64, f64), right: (f64, f64), level_left: bool, level_right: boo
     left.0 + (right.0 - left.0) * share.clamp(0.02, 0.98)
 }
 
-/// Newton's method kept inside a shrinking bracket.
+/// Newton's method kept inside a shrinking bracket. Inlined for the sake of polynomials of known length.
+#[inline(always)]
 fn refine(c: &[f64], left: (f64, f64), right: (f64, f64), guess: f64, least_step: f64) -> f64 {
     let (mut lo, mut hi) = (left.0, right.0);
     let rising = left.1 < 0.0;

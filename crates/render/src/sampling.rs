@@ -59,6 +59,13 @@ impl Stream {
     }
 }
 
+impl Stream {
+    /// Leaves out some numbers.
+    pub fn skip(&mut self, count: u32) {
+        self.0 = (u32::from(self.0).wrapping_add(count) & 0x7fff) as u16;
+    }
+}
+
 /// The linear congruential generator behind `crand`.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Lcg(u32);

@@ -89,8 +89,9 @@ impl World {
     /// are left out without an error.
     pub fn build(scene: &Scene) -> Result<World, BuildError> {
         let rules = Rules::new(scene);
-        let geometry = Geometry::build(scene)?;
-        let textures = compile_textures(&geometry, rules.noise);
+        let mut geometry = Geometry::build(scene)?;
+        let (textures, asks_uv) = compile_textures(&geometry, rules.noise);
+        geometry.asks_uv = asks_uv || geometry.materials.iter().any(|m| m.uv_mapping);
         let interiors = compile_interiors(&geometry, &rules, scene.settings.subsurface.is_some());
         let lights = geometry
             .lights
@@ -183,19 +184,22 @@ impl Rules {
     }
 }
 
-/// Each texture once, however often it is placed.
-fn compile_textures(geometry: &Geometry, noise: Noise) -> Vec<WorldTexture> {
+/// Each texture once, however often it is placed; and whether any looks at texture coordinates.
+fn compile_textures(geometry: &Geometry, noise: Noise) -> (Vec<WorldTexture>, bool) {
     let mut done = FxHashMap::default();
+    let mut asks_uv = false;
     let compile = |placed: &raggio_geometry::PlacedTexture| {
-        let texture = done
-            .entry(Arc::as_ptr(&placed.texture))
-            .or_insert_with(|| Arc::new(Texture::compile(&placed.texture, noise)));
+        let texture = done.entry(Arc::as_ptr(&placed.texture)).or_insert_with(|| {
+            let (texture, asks) = Texture::compile_and_tell(&placed.texture, noise);
+            asks_uv |= asks;
+            Arc::new(texture)
+        });
         let frame = placed
             .texture_from_world
             .map(|t| Frame { texture_from_world: t, world_from_texture: t.inverse() });
         WorldTexture { texture: texture.clone(), frame }
     };
-    geometry.textures.iter().map(compile).collect()
+    (geometry.textures.iter().map(compile).collect(), asks_uv)
 }
 
 fn opaque_materials(geometry: &Geometry, textures: &[WorldTexture]) -> Vec<bool> {

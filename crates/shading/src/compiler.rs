@@ -11,6 +11,8 @@ use crate::{Noise, Normal, Pigment, Texture};
 /// the scene's part that is being compiled is borrowed all the while.
 pub(crate) struct Compiler {
     pub noise: Noise,
+    /// Does any part look at texture coordinates?
+    pub asks_uv: bool,
     pigments: FxHashMap<*const scene::Pigment, Arc<Pigment>>,
     /// By address and by whether `no_bump_scale` is inherited.
     normals: FxHashMap<(*const scene::Normal, bool), Arc<Normal>>,
@@ -21,6 +23,7 @@ impl Compiler {
     pub fn new(noise: Noise) -> Self {
         Compiler {
             noise,
+            asks_uv: false,
             pigments: FxHashMap::default(),
             normals: FxHashMap::default(),
             textures: FxHashMap::default(),

@@ -53,7 +53,10 @@ impl Compiler {
             PigmentKind::Image { warps, image } => {
                 Kind::Image { warps: WarpList::compile(warps), image: Image::compile(image) }
             }
-            PigmentKind::Uv(inner) => Kind::Uv(self.shared_pigment(inner)),
+            PigmentKind::Uv(inner) => {
+                self.asks_uv = true;
+                Kind::Uv(self.shared_pigment(inner))
+            }
         };
         let opaque = kind.is_opaque();
         Pigment { kind, quick_color: pigment.quick_color, opaque }

@@ -52,7 +52,10 @@ impl Compiler {
             TextureKind::Layers(layers) => {
                 return Texture::Layers(layers.iter().map(|layer| self.layer(layer)).collect());
             }
-            TextureKind::Uv(inner) => return Texture::Uv(self.shared_texture(inner)),
+            TextureKind::Uv(inner) => {
+                self.asks_uv = true;
+                return Texture::Uv(self.shared_texture(inner));
+            }
             TextureKind::Patterned { pattern, map } => {
                 let map = Map::new(map.iter().map(|(at, entry)| (*at, self.shared_texture(entry))));
                 let average = matches!(pattern.kind, PatternKind::Average);
@@ -81,6 +84,12 @@ impl Texture {
     /// Compiles a texture.
     pub fn compile(texture: &scene::Texture, noise: Noise) -> Self {
         Compiler::new(noise).texture(texture)
+    }
+
+    /// Compiles a texture and tells whether any part of it looks at texture coordinates.
+    pub fn compile_and_tell(texture: &scene::Texture, noise: Noise) -> (Self, bool) {
+        let mut compiler = Compiler::new(noise);
+        (compiler.texture(texture), compiler.asks_uv)
     }
 
     /// Does every part of it stop all light?

@@ -91,6 +91,7 @@ impl Run<'_> {
             self.console.line(StreamKind::Warning, format!("Warning: {missing}"));
         }
         self.console.line(StreamKind::Statistic, format!("  Parse Time:  {}", time(ready.parse_time)));
+        self.console.line(StreamKind::Statistic, format!("  Bounding Time:  {}", time(ready.build_time)));
         let options = self.options()?;
         self.console.line(
             StreamKind::Render,

@@ -1,7 +1,7 @@
 //! The box.
 use raggio_math::{Aabb, Ray, Vec2, Vec3};
 
-use super::{Few, beyond};
+use super::{Few, apart, beyond, clearly_beyond};
 use crate::{LocalHit, Surface};
 
 /// The least distance a box reports.
@@ -17,26 +17,55 @@ pub(crate) struct Cuboid {
     max: Vec3,
 }
 
-/// One end of the ray's way through the box.
-struct End {
-    t: f64,
-    axis: usize,
+/// Where a ray enters and leaves the slab of each axis, and the box.
+struct Way {
+    near: [f64; 3],
+    far: [f64; 3],
+    entry: f64,
+    exit: f64,
 }
 
-impl End {
-    /// Takes the slab's distance where it is later than what is known; at edges the axis along which the ray runs
-    /// faster wins.
+impl Way {
+    /// The axis whose slab makes the end at `t`; at edges the one along which the ray runs faster.
     #[inline]
-    fn take(&mut self, later: f64, t: f64, axis: usize, ray: &Ray) {
-        let ahead = (t - self.t) * later;
-        let faster = || ray.dir[axis].abs() > ray.dir[self.axis].abs();
-        if ahead > EDGE || (ahead > -EDGE && faster()) || self.t.is_infinite() {
-            self.axis = axis;
+    fn axis(ends: &[f64; 3], t: f64, ray: &Ray) -> usize {
+        let mut axis = 3;
+        for (k, end) in ends.iter().enumerate() {
+            let here = (end - t).abs() <= EDGE;
+            if here && (axis == 3 || ray.dir[k].abs() > ray.dir[axis].abs()) {
+                axis = k;
+            }
         }
-        if ahead > 0.0 {
-            self.t = t;
-        }
+        axis.min(2)
     }
+
+    /// The ray enters by the lower face where it runs upwards.
+    #[inline]
+    fn entry_face(&self, ray: &Ray) -> u32 {
+        let axis = Way::axis(&self.near, self.entry, ray);
+        face(axis, ray.dir[axis] < 0.0)
+    }
+
+    #[inline]
+    fn exit_face(&self, ray: &Ray) -> u32 {
+        let axis = Way::axis(&self.far, self.exit, ray);
+        face(axis, ray.dir[axis] >= 0.0)
+    }
+}
+
+#[inline]
+fn face(axis: usize, upper: bool) -> u32 {
+    (2 * axis + usize::from(upper)) as u32
+}
+
+#[inline]
+fn least(a: f64, b: f64) -> f64 {
+    if b < a { b } else { a }
+}
+
+#[inline]
+fn most(a: f64, b: f64) -> f64 {
+    if b > a { b } else { a }
 }
 
 impl Cuboid {
@@ -44,11 +73,24 @@ impl Cuboid {
         Cuboid { min, max }
     }
 
-    /// Entry and exit.
+    /// The same box stretched along the axes, then moved.
+    pub(crate) fn moved(&self, scale: Vec3, offset: Vec3) -> Self {
+        Cuboid { min: self.min * scale + offset, max: self.max * scale + offset }
+    }
+
+    /// Are all points beyond one side, or inside?
+    pub(crate) fn misses(&self, hull: &[Vec3; 8]) -> bool {
+        let around = Aabb::around(*hull);
+        let within = |k: usize| {
+            clearly_beyond(around.min[k], self.min[k]) && clearly_beyond(self.max[k], around.max[k])
+        };
+        apart(&self.bounds(), hull) || (0..3).all(within)
+    }
+
+    /// The ray's way through the box.
     #[inline]
-    fn ends(&self, ray: &Ray) -> Option<[LocalHit; 2]> {
-        let mut entry = End { t: f64::NEG_INFINITY, axis: 0 };
-        let mut exit = End { t: f64::INFINITY, axis: 0 };
+    fn way(&self, ray: &Ray) -> Option<Way> {
+        let (mut near, mut far) = ([f64::NEG_INFINITY; 3], [f64::INFINITY; 3]);
         for axis in 0..3 {
             let (o, d) = (ray.origin[axis], ray.dir[axis]);
             if d == 0.0 {
@@ -58,29 +100,24 @@ impl Cuboid {
                 continue;
             }
             let (a, b) = ((self.min[axis] - o) / d, (self.max[axis] - o) / d);
-            entry.take(1.0, a.min(b), axis, ray);
-            exit.take(-1.0, a.max(b), axis, ray);
+            (near[axis], far[axis]) = (least(a, b), most(a, b));
         }
-        if entry.t > exit.t {
-            return None;
-        }
-        // The ray enters by the lower face where it runs upwards.
-        let face = |axis: usize, upper: bool| (2 * axis + usize::from(upper)) as u32;
-        let entry_face = face(entry.axis, ray.dir[entry.axis] < 0.0);
-        let exit_face = face(exit.axis, ray.dir[exit.axis] >= 0.0);
-        Some([
-            LocalHit { part: entry_face, ..LocalHit::at(entry.t) },
-            LocalHit { part: exit_face, ..LocalHit::at(exit.t) },
-        ])
+        let entry = most(most(near[0], near[1]), near[2]);
+        let exit = least(least(far[0], far[1]), far[2]);
+        (entry <= exit).then_some(Way { near, far, entry, exit })
     }
 
     /// Entry and exit, as far as they are in the range.
     #[inline]
     pub(crate) fn few(&self, ray: &Ray, range: (f64, f64), out: &mut Few) {
         let range = beyond(range, LEAST);
-        if let Some([entry, exit]) = self.ends(ray) {
-            out.push(entry, range);
-            out.push(exit, range);
+        if let Some(way) = self.way(ray) {
+            if way.entry > range.0 && way.entry < range.1 {
+                out.push(way.entry, way.entry_face(ray), range);
+            }
+            if way.exit > range.0 && way.exit < range.1 {
+                out.push(way.exit, way.exit_face(ray), range);
+            }
         }
     }
 }
@@ -93,16 +130,20 @@ impl Surface for Cuboid {
     fn hits(&self, ray: &Ray, range: (f64, f64), out: &mut Vec<LocalHit>) {
         let mut few = Few::default();
         self.few(ray, range, &mut few);
-        out.extend_from_slice(few.as_slice());
+        few.into_hits(out);
     }
 
     #[inline]
     fn closest(&self, ray: &Ray, range: (f64, f64)) -> Option<LocalHit> {
         let (lo, hi) = beyond(range, LEAST);
-        let [entry, exit] = self.ends(ray)?;
+        let way = self.way(ray)?;
         // A flat box shows its far face.
-        let hit = if entry.t > lo && entry.t < exit.t { entry } else { exit };
-        (hit.t > lo && hit.t < hi).then_some(hit)
+        if way.entry > lo && way.entry < way.exit {
+            let hit = || LocalHit { part: way.entry_face(ray), ..LocalHit::at(way.entry) };
+            return (way.entry < hi).then(hit);
+        }
+        let hit = || LocalHit { part: way.exit_face(ray), ..LocalHit::at(way.exit) };
+        (way.exit > lo && way.exit < hi).then(hit)
     }
 
     fn inside(&self, p: Vec3) -> bool {

@@ -1,7 +1,7 @@
 //! The cone, and the cylinder as the cone of equal radii.
-use raggio_math::{Aabb, EPS, Ray, Vec3};
+use raggio_math::{Aabb, Affine, EPS, Ray, Vec3};
 
-use super::{Few, beyond};
+use super::{Few, beyond, clearly_beyond, start_along};
 use crate::{LocalHit, Surface};
 
 /// The least distance a cone reports.
@@ -46,6 +46,26 @@ impl Cone {
         self.base_radius.abs().max(self.cap_radius.abs())
     }
 
+    /// The same in other coordinates, in which all lengths are multiplied.
+    pub(crate) fn moved(&self, there_from_here: &Affine, scale: f64) -> Self {
+        let (base, axis) = (self.base, self.axis * self.length);
+        Cone {
+            base: there_from_here.transform_point3(base),
+            axis: there_from_here.transform_vector3(axis).normalize_or(Vec3::Y),
+            length: self.length * scale,
+            base_radius: self.base_radius * scale,
+            cap_radius: self.cap_radius * scale,
+            ..*self
+        }
+    }
+
+    /// Are all points beyond a plane along the axis that the widest part stays behind?
+    pub(crate) fn misses(&self, hull: &[Vec3; 8]) -> bool {
+        let (_, offset) = self.split(hull[0] - self.base);
+        let Some(direction) = offset.try_normalize() else { return false };
+        clearly_beyond(start_along(hull, direction), self.widest() + self.base.dot(direction))
+    }
+
     /// Height over the base, and the offset from the axis.
     #[inline]
     fn split(&self, v: Vec3) -> (f64, Vec3) {
@@ -62,7 +82,7 @@ impl Cone {
         }
         // Work from the point of the ray nearest to the middle: far origins lose no digits.
         let shift = (self.base + self.axis * (0.5 * self.length) - ray.origin).dot(ray.dir);
-        let mut push = |t: f64, part: u32| out.push(LocalHit { part, ..LocalHit::at(t + shift) }, range);
+        let mut push = |t: f64, part: u32| out.push(t + shift, part, range);
         let (oh, offset) = self.split(ray.at(shift) - self.base);
         let (dh, across) = self.split(ray.dir);
         self.side(oh, offset, dh, across, &mut push);
@@ -122,14 +142,14 @@ impl Surface for Cone {
     fn hits(&self, ray: &Ray, range: (f64, f64), out: &mut Vec<LocalHit>) {
         let mut few = Few::default();
         self.few(ray, range, &mut few);
-        out.extend_from_slice(few.as_slice());
+        few.into_hits(out);
     }
 
     #[inline]
     fn closest(&self, ray: &Ray, range: (f64, f64)) -> Option<LocalHit> {
         let mut few = Few::default();
         self.few(ray, range, &mut few);
-        few.as_slice().iter().copied().min_by(|a, b| a.t.total_cmp(&b.t))
+        few.pop_nearest()
     }
 
     /// A hair more than the closed solid, a hair less than the open one.

@@ -12,6 +12,7 @@ mod isosurface;
 mod julia;
 mod lathe;
 mod mesh;
+mod nurbs;
 mod outline;
 mod ovus;
 mod parametric;
@@ -25,6 +26,7 @@ mod quaternion;
 #[cfg(test)]
 mod recorded_tests;
 mod revolve;
+mod sheet;
 mod sor;
 mod sphere;
 mod sphere_sweep;
@@ -36,6 +38,8 @@ mod triangle;
 use raggio_math::{Aabb, Affine, Ray, Vec2, Vec3};
 use raggio_scene::Shape;
 
+use crate::index::padded;
+use crate::shape_pool::uniform_scale;
 use crate::texturing::PartUses;
 use crate::{BuildError, LocalHit, Surface};
 
@@ -98,6 +102,7 @@ shape_kinds! {
     Julia(Box<julia::Julia>),
     Lathe(lathe::Lathe),
     Mesh(Box<MeshShape>),
+    Nurbs(Box<nurbs::NurbsPatch>),
     Ovus(ovus::Ovus),
     Parametric(Box<parametric::Parametric>),
     Plane(Plane),
@@ -135,9 +140,7 @@ pub(crate) fn build(shape: &Shape) -> Result<ShapeKind, BuildError> {
         Shape::Polygon { loops } => ShapeKind::Polygon(Box::new(Polygon::new(loops))),
         Shape::Mesh(mesh) => ShapeKind::Mesh(Box::new(MeshShape::new(mesh))),
         Shape::Torus { major, minor } => ShapeKind::Torus(torus::Torus::new(*major, *minor)),
-        Shape::Poly { degree, coefficients } => {
-            ShapeKind::Poly(poly::Poly::new(*degree, coefficients.clone()))
-        }
+        Shape::Poly { degree, coefficients } => ShapeKind::Poly(poly::Poly::new(*degree, coefficients)),
         Shape::Superellipsoid { e, n } => {
             ShapeKind::Superellipsoid(superellipsoid::Superellipsoid::new(*e, *n))
         }
@@ -158,6 +161,7 @@ pub(crate) fn build(shape: &Shape) -> Result<ShapeKind, BuildError> {
         }
         Shape::Text { glyphs, depth } => ShapeKind::Text(text::Text::new(glyphs, *depth)),
         Shape::Isosurface(iso) => isosurface(iso, &Affine::IDENTITY),
+        Shape::Nurbs(n) => ShapeKind::Nurbs(Box::new(nurbs::NurbsPatch::new(n))),
         Shape::Parametric(p) => ShapeKind::Parametric(Box::new(parametric::Parametric::new(p))),
     })
 }
@@ -182,8 +186,20 @@ pub(crate) fn moved(shape: &Shape, world_from_object: &Affine) -> Option<ShapeKi
             Some(ShapeKind::Blob(blob::Blob::new(blob, world_from_object)))
         }
         Shape::Isosurface(iso) if !is_rigid(world_from_object) => Some(isosurface(iso, world_from_object)),
+        Shape::Cylinder { base, cap, radius, open } => {
+            moved_cone(&Cone::cylinder(*base, *cap, *radius, *open), world_from_object)
+        }
+        Shape::Cone { base, base_radius, cap, cap_radius, open } => {
+            moved_cone(&Cone::new(*base, *base_radius, *cap, *cap_radius, *open), world_from_object)
+        }
         _ => None,
     }
+}
+
+/// Cones and cylinders whose transform leaves them round go into the world.
+fn moved_cone(cone: &Cone, world_from_object: &Affine) -> Option<ShapeKind> {
+    let scale = uniform_scale(world_from_object)?;
+    Some(ShapeKind::Cone(Box::new(cone.moved(world_from_object, scale))))
 }
 
 fn patch(points: &[[Vec3; 4]; 4], flatness: f64, steps: (u32, u32), uv: [Vec2; 4]) -> ShapeKind {
@@ -217,36 +233,46 @@ pub(crate) const FEW: usize = 4;
 /// Hits of a simple shape, without memory of their own.
 #[derive(Default)]
 pub(crate) struct Few {
-    hits: [LocalHit; FEW],
+    hits: [(f64, u32); FEW],
     len: usize,
 }
 
 impl Few {
     /// Adds a hit, if it is in the range. More than [`FEW`] are not kept.
     #[inline(always)]
-    pub(crate) fn push(&mut self, hit: LocalHit, range: (f64, f64)) {
-        if hit.t > range.0 && hit.t < range.1 && self.len < FEW {
-            self.hits[self.len] = hit;
+    pub(crate) fn push(&mut self, t: f64, part: u32, range: (f64, f64)) {
+        if t > range.0 && t < range.1 && self.len < FEW {
+            self.hits[self.len] = (t, part);
             self.len += 1;
         }
     }
 
-    /// The hits so far.
+    /// Adds a hit, if there is one.
     #[inline(always)]
-    pub(crate) fn as_slice(&self) -> &[LocalHit] {
-        &self.hits[..self.len]
+    pub(crate) fn extend(&mut self, hit: Option<LocalHit>, range: (f64, f64)) {
+        if let Some(hit) = hit {
+            self.push(hit.t, hit.part, range);
+        }
     }
 
-    /// Near ones first.
-    #[inline]
-    pub(crate) fn sort(&mut self) {
-        for end in 1..self.len {
-            let mut at = end;
-            while at > 0 && self.hits[at].t < self.hits[at - 1].t {
-                self.hits.swap(at, at - 1);
-                at -= 1;
+    /// Takes the nearest hit out.
+    #[inline(always)]
+    pub(crate) fn pop_nearest(&mut self) -> Option<LocalHit> {
+        self.len = self.len.checked_sub(1)?;
+        let mut first = self.len;
+        for i in 0..self.len {
+            if self.hits[i].0 < self.hits[first].0 {
+                first = i;
             }
         }
+        let (t, part) = self.hits[first];
+        self.hits[first] = self.hits[self.len];
+        Some(LocalHit { part, ..LocalHit::at(t) })
+    }
+
+    /// All hits, in the order in which they came.
+    pub(crate) fn into_hits(self, out: &mut Vec<LocalHit>) {
+        out.extend(self.hits[..self.len].iter().map(|&(t, part)| LocalHit { part, ..LocalHit::at(t) }));
     }
 }
 
@@ -258,9 +284,8 @@ impl ShapeKind {
             ShapeKind::Box(s) => s.few(ray, range, out),
             ShapeKind::Cone(s) => s.few(ray, range, out),
             ShapeKind::Quadric(s) => s.few(ray, range, out),
-            ShapeKind::Plane(s) => s.closest(ray, range).into_iter().for_each(|h| out.push(h, range)),
-            ShapeKind::Disc(s) => s.closest(ray, range).into_iter().for_each(|h| out.push(h, range)),
-            ShapeKind::Triangle(s) => s.closest(ray, range).into_iter().for_each(|h| out.push(h, range)),
+            ShapeKind::Plane(s) => out.extend(s.closest(ray, range), range),
+            ShapeKind::Disc(s) => out.extend(s.closest(ray, range), range),
             _ => return false,
         }
         true
@@ -269,8 +294,8 @@ impl ShapeKind {
     /// Does [`ShapeKind::few`] know the shape?
     #[inline]
     pub(crate) fn has_few(&self) -> bool {
-        use ShapeKind::{Box, Cone, Disc, Plane, Quadric, Triangle};
-        matches!(self, Box(_) | Cone(_) | Disc(_) | Plane(_) | Quadric(_) | Triangle(_))
+        use ShapeKind::{Box, Cone, Disc, Plane, Quadric};
+        matches!(self, Box(_) | Cone(_) | Disc(_) | Plane(_) | Quadric(_))
     }
 
     /// The nearest hit, or any that `stops` says yes to where it is quicker to end there.
@@ -298,6 +323,17 @@ impl ShapeKind {
         }
     }
 
+    /// Is it plain that the surface does not reach into the hull of some points?
+    pub(crate) fn misses(&self, hull: &[Vec3; 8]) -> bool {
+        match self {
+            ShapeKind::Plane(s) => s.misses(hull),
+            ShapeKind::Sphere(s) => s.misses(hull),
+            ShapeKind::Box(s) => s.misses(hull),
+            ShapeKind::Cone(s) => s.misses(hull) || apart(&s.bounds(), hull),
+            other => apart(&other.bounds(), hull),
+        }
+    }
+
     /// The textures at a point of a surface whose parts have textures of their own: numbers of the scene's data and
     /// their shares. Nothing where the object's own texture counts.
     pub(crate) fn part_uses(&self, p: Vec3, hit: &LocalHit, out: &mut PartUses) {
@@ -307,6 +343,22 @@ impl ShapeKind {
             _ => {}
         }
     }
+}
+
+/// Do all points lie beyond one side of a box?
+fn apart(b: &Aabb, hull: &[Vec3; 8]) -> bool {
+    let (b, around) = (padded(b), Aabb::around(*hull));
+    around.min.cmpgt(b.max).any() || around.max.cmplt(b.min).any()
+}
+
+/// Where on the way along a direction the points begin.
+fn start_along(hull: &[Vec3; 8], direction: Vec3) -> f64 {
+    hull.iter().fold(f64::INFINITY, |least, p| least.min(p.dot(direction)))
+}
+
+/// Is `a` greater than `b` by more than rounding?
+fn clearly_beyond(a: f64, b: f64) -> bool {
+    a - b > 1e-9 * (1.0 + a.abs() + b.abs())
 }
 
 /// The part of `range` that a shape may report: beyond its own least distance.

@@ -1,21 +1,21 @@
 //! The parts inside one shape, for quick search: components of a blob, glyphs of a text, triangles of a patch.
-use raggio_bvh::Bvh;
+use raggio_bvh::{BoxRow, Bvh, Slab};
 use raggio_math::{Aabb, Ray, Vec3};
 
-use crate::index::{FEW, in_order, padded};
-use crate::probe::BoxRay;
-
-/// Rays that start farther away are not for the tree, whose boxes are in single precision.
-const REACH: f64 = 1e30;
+use crate::index::{FEW, padded, row};
 
 /// Boxes of parts; a part is an index.
 pub(crate) struct Parts {
-    /// Few parts are asked in a row, and the tree is empty.
-    few: Vec<(Aabb, u32)>,
-    bvh: Bvh,
+    search: Search,
     /// Parts too large for the tree, always visited.
     unbounded: Vec<u32>,
     bounds: Aabb,
+}
+
+enum Search {
+    /// Few parts, with their boxes once more for points.
+    Few(Box<BoxRow>, Vec<Aabb>),
+    Many(Bvh),
 }
 
 impl Parts {
@@ -23,12 +23,11 @@ impl Parts {
     pub(crate) fn new(boxes: &[Aabb]) -> Self {
         let bounds = boxes.iter().filter(|b| !b.is_empty()).fold(Aabb::EMPTY, |sum, b| sum.union(b));
         if boxes.len() <= FEW {
-            let numbered = boxes.iter().zip(0..).filter(|(b, _)| !b.is_empty());
-            let few = numbered.map(|(b, part)| (padded(b), part)).collect();
-            return Parts { few, bvh: Bvh::build(&[], 1).bvh, unbounded: Vec::new(), bounds };
+            let search = Search::Few(Box::new(row(boxes)), boxes.iter().map(padded).collect());
+            return Parts { search, unbounded: Vec::new(), bounds };
         }
         let built = Bvh::build(boxes, 2);
-        Parts { few: Vec::new(), bvh: built.bvh, unbounded: built.unbounded, bounds }
+        Parts { search: Search::Many(built.bvh), unbounded: built.unbounded, bounds }
     }
 
     /// The box around everything.
@@ -43,20 +42,17 @@ impl Parts {
         for &part in &self.unbounded {
             each(part as usize);
         }
-        let sane = |v: Vec3| v.abs().max_element() < REACH && !v.is_nan();
-        if !(sane(ray.origin) && sane(ray.dir)) {
-            return;
-        }
-        if self.few.is_empty() {
-            self.bvh.closest(ray, range, |part, _| Some(each(part as usize)));
-            return;
-        }
-        let (mut order, mut far) = ([(0.0, 0); FEW], range.1);
-        for &(t, part) in in_order(&self.few, &BoxRay::new(ray), (range.0.max(0.0), far), &mut order) {
-            if t > far {
-                break;
+        let slab = Slab::new(ray);
+        match &self.search {
+            Search::Few(row, _) => {
+                let (mut touched, mut far) = (row.touched(&slab, range), range.1);
+                while let Some(touch) = touched.next(far) {
+                    far = each(touch.place);
+                }
             }
-            far = each(part as usize);
+            Search::Many(bvh) => {
+                bvh.closest_prepared(&slab, range, |part, _| Some(each(part as usize)));
+            }
         }
     }
 
@@ -66,12 +62,16 @@ impl Parts {
         for &part in &self.unbounded {
             each(part as usize);
         }
-        for (_, part) in self.few.iter().filter(|(b, _)| b.contains(p)) {
-            each(*part as usize);
+        match &self.search {
+            Search::Few(_, boxes) => {
+                (0..boxes.len()).filter(|&part| boxes[part].contains(p)).for_each(each);
+            }
+            Search::Many(bvh) => {
+                bvh.containing(p, |part| {
+                    each(part as usize);
+                    false
+                });
+            }
         }
-        self.bvh.containing(p, |part| {
-            each(part as usize);
-            false
-        });
     }
 }

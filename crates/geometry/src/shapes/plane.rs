@@ -1,7 +1,7 @@
 //! The plane.
 use raggio_math::{Aabb, EPS, Ray, Vec3};
 
-use super::beyond;
+use super::{beyond, clearly_beyond, start_along};
 use crate::{LocalHit, Surface};
 
 /// The least distance a plane reports.
@@ -17,6 +17,12 @@ pub(crate) struct Plane {
 impl Plane {
     pub(crate) fn new(normal: Vec3, distance: f64) -> Self {
         Plane { normal, distance }
+    }
+
+    /// Are all points on one side?
+    pub(crate) fn misses(&self, hull: &[Vec3; 8]) -> bool {
+        clearly_beyond(start_along(hull, self.normal), self.distance)
+            || clearly_beyond(start_along(hull, -self.normal), -self.distance)
     }
 }
 

@@ -1,6 +1,4 @@
 //! Surfaces of polynomials in x, y and z of degree 2 to 35 (shapes spec, section 2).
-use std::sync::Arc;
-
 use raggio_math::{Aabb, Ray, Vec3, poly};
 
 use super::collect::{Collect, searched_from};
@@ -14,15 +12,26 @@ const TOLERANCE: f64 = 1e-4;
 #[derive(Clone, Debug)]
 pub(crate) struct Poly {
     degree: usize,
-    coefficients: Arc<[f64]>,
-    /// The terms that are not zero, for the gradient.
+    /// The terms that are not zero: exponents of x falling first, then of y, then of z.
     terms: Vec<Term>,
 }
 
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 struct Term {
     factor: f64,
     exponents: [i32; 3],
+}
+
+/// Terms still to be taken, in their order.
+struct Rest<'a>(std::slice::Iter<'a, Term>);
+
+impl Rest<'_> {
+    /// The exponent at a place of the next term, if its exponents before that place are these.
+    #[inline]
+    fn exponent<const K: usize>(&self, before: [i32; K]) -> Option<i32> {
+        let next = self.0.as_slice().first()?;
+        (next.exponents[..K] == before).then_some(next.exponents[K])
+    }
 }
 
 /// A polynomial along a ray, grown by Horner's rule; `len` is its degree plus one, 0 for none at all. Coefficients past
@@ -59,16 +68,14 @@ impl<const N: usize> Along<N> {
 
     #[inline]
     fn add_constant(&mut self, x: f64) {
-        if x != 0.0 {
-            self.c[0] += x;
-            self.len = self.len.max(1);
-        }
+        self.c[0] += x;
+        self.len = self.len.max(1);
     }
 }
 
 impl Poly {
     /// Coefficients as the language lists them: x exponents falling first, then y, then z.
-    pub(crate) fn new(degree: u8, coefficients: Arc<[f64]>) -> Self {
+    pub(crate) fn new(degree: u8, coefficients: &[f64]) -> Self {
         let degree = usize::from(degree);
         let mut terms = Vec::new();
         let mut next = coefficients.iter();
@@ -82,7 +89,7 @@ impl Poly {
                 }
             }
         }
-        Poly { degree, coefficients, terms }
+        Poly { degree, terms }
     }
 
     fn search(&self, ray: &Ray, to: &mut impl Collect) {
@@ -106,17 +113,21 @@ impl Poly {
     /// The polynomial in t that the surface's polynomial becomes on the ray.
     fn along<const N: usize>(&self, ray: &Ray) -> [f64; N] {
         let (o, d) = (ray.origin, ray.dir);
-        let mut next = self.coefficients.iter();
+        let mut rest = Rest(self.terms.iter());
         let mut in_x = Along::<N>::ZERO;
-        for i in (0..=self.degree).rev() {
+        for i in (0..=rest.exponent([]).unwrap_or(0)).rev() {
             in_x.times_linear(o.x, d.x);
             let mut in_y = Along::<N>::ZERO;
-            for j in (0..=self.degree - i).rev() {
+            for j in (0..=rest.exponent([i]).unwrap_or(-1)).rev() {
                 in_y.times_linear(o.y, d.y);
                 let mut in_z = Along::<N>::ZERO;
-                for factor in next.by_ref().take(self.degree - i - j + 1) {
+                for k in (0..=rest.exponent([i, j]).unwrap_or(-1)).rev() {
                     in_z.times_linear(o.z, d.z);
-                    in_z.add_constant(*factor);
+                    if rest.exponent([i, j]) == Some(k)
+                        && let Some(term) = rest.0.next()
+                    {
+                        in_z.add_constant(term.factor);
+                    }
                 }
                 in_y.add(&in_z);
             }

@@ -90,9 +90,9 @@ impl Quadric {
     pub(crate) fn few(&self, ray: &Ray, range: (f64, f64), out: &mut Few) {
         let range = beyond(range, LEAST);
         if let Some((s, t)) = self.roots(ray) {
-            out.push(LocalHit::at(s), range);
+            out.push(s, 0, range);
             if t != s {
-                out.push(LocalHit::at(t), range);
+                out.push(t, 0, range);
             }
         }
     }
@@ -161,7 +161,7 @@ impl Surface for Quadric {
     fn hits(&self, ray: &Ray, range: (f64, f64), out: &mut Vec<LocalHit>) {
         let mut few = Few::default();
         self.few(ray, range, &mut few);
-        out.extend_from_slice(few.as_slice());
+        few.into_hits(out);
     }
 
     #[inline]

@@ -1,7 +1,7 @@
 //! The sphere, and its form in the world for uniformly scaled placements.
 use raggio_math::{Aabb, EPS, Ray, Vec2, Vec3};
 
-use super::{Few, beyond, turn};
+use super::{Few, beyond, clearly_beyond, start_along, turn};
 use crate::{LocalHit, Surface};
 
 /// The least distance a sphere reports.
@@ -45,13 +45,22 @@ impl Sphere {
         None
     }
 
+    /// Are all points beyond a tangent plane, or inside?
+    pub(crate) fn misses(&self, hull: &[Vec3; 8]) -> bool {
+        let radius = self.radius.abs();
+        let Some(direction) = (hull[0] - self.center).try_normalize() else { return false };
+        let within = |p: &Vec3| clearly_beyond(radius, (*p - self.center).length());
+        clearly_beyond(start_along(hull, direction), radius + self.center.dot(direction))
+            || hull.iter().all(within)
+    }
+
     /// Both hits, as far as they are in the range.
     #[inline]
     pub(crate) fn few(&self, ray: &Ray, range: (f64, f64), out: &mut Few) {
         let range = beyond(range, LEAST);
         if let Some((a, b)) = self.chord(ray) {
-            out.push(LocalHit::at(a), range);
-            out.push(LocalHit::at(b), range);
+            out.push(a, 0, range);
+            out.push(b, 0, range);
         }
     }
 }
@@ -64,7 +73,7 @@ impl Surface for Sphere {
     fn hits(&self, ray: &Ray, range: (f64, f64), out: &mut Vec<LocalHit>) {
         let mut few = Few::default();
         self.few(ray, range, &mut few);
-        out.extend_from_slice(few.as_slice());
+        few.into_hits(out);
     }
 
     #[inline]

@@ -63,6 +63,12 @@ impl Lens {
         }
     }
 
+    /// No ray starts farther from the eye.
+    pub fn reach(&self) -> f64 {
+        let farthest = self.points.iter().map(|&(x, y)| x.abs().max(y.abs())).fold(0.0, f64::max);
+        2.0 * self.half_aperture.abs() * (farthest + 2.0 * self.max_jitter)
+    }
+
     /// The samples of a pixel at most.
     pub fn count(&self) -> usize {
         self.points.len()

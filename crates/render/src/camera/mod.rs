@@ -6,11 +6,12 @@ mod round;
 mod wide;
 
 use raggio_geometry::{BuildError, Geometry, InteriorId};
-use raggio_math::{Ray, Vec3};
+use raggio_math::{Aabb, Ray, Vec3};
 use raggio_scene::{self as scene, CameraKind};
 use raggio_shading::{Context, Noise, Normal};
 use smallvec::SmallVec;
 
+use crate::integrator::copied;
 pub use focal::{Lens, LensSample};
 pub use mesh::MeshRays;
 
@@ -61,8 +62,8 @@ pub struct Camera {
     pub lens: Option<Lens>,
     /// Set for mesh cameras, which shoot rays of their own.
     pub mesh: Option<MeshRays>,
-    /// The interiors around the eye.
-    interiors_at_eye: SmallVec<[InteriorId; 8]>,
+    /// The interiors around the starts of all rays; `None` where they differ from ray to ray.
+    interiors: Option<SmallVec<[InteriorId; 8]>>,
 }
 
 impl Camera {
@@ -76,14 +77,18 @@ impl Camera {
             _ => None,
         };
         let blurred = camera.focal_blur.as_ref().filter(|b| b.aperture != 0.0 && b.max_samples > 0);
+        let lens = blurred.map(|b| Lens::new(b, camera, noise));
         Ok(Camera {
             kind: camera.kind.clone(),
             axes: Axes::new(camera),
             angle: camera.angle.to_radians(),
             normal: camera.normal.as_ref().map(|n| Normal::compile(n, noise)),
-            lens: blurred.map(|b| Lens::new(b, camera, noise)),
+            interiors: match starts(camera, lens.as_ref()) {
+                Some(b) => geometry.interiors_within(&b),
+                None => Some(geometry.interiors_at(camera.location)),
+            },
+            lens,
             mesh,
-            interiors_at_eye: geometry.interiors_at(camera.location),
         })
     }
 
@@ -105,15 +110,12 @@ impl Camera {
         Some(Ray::new(origin, dir))
     }
 
-    /// The interiors around the start of a camera ray. They are looked up once, except where rays start in many
-    /// places.
+    /// The interiors around the start of a camera ray.
     pub fn interiors(&self, ray: &Ray, geometry: &Geometry) -> SmallVec<[InteriorId; 8]> {
-        let spread = match self.kind {
-            CameraKind::Orthographic | CameraKind::Cylinder(3 | 4) => true,
-            CameraKind::Perspective => self.lens.is_some(),
-            _ => false,
-        };
-        if spread { geometry.interiors_at(ray.origin) } else { self.interiors_at_eye.clone() }
+        match &self.interiors {
+            Some(same) => copied(same),
+            None => geometry.interiors_at(ray.origin),
+        }
     }
 
     fn raw_ray(&self, place: Place) -> Option<RawRay> {
@@ -132,6 +134,17 @@ impl Camera {
             CameraKind::Mesh(_) | CameraKind::UserDefined { .. } => None,
         }
     }
+}
+
+/// A box around the starts of all rays of a camera, where they do not all start at the eye.
+fn starts(camera: &scene::Camera, lens: Option<&Lens>) -> Option<Aabb> {
+    let reach = match camera.kind {
+        CameraKind::Orthographic => camera.right.length() + camera.up.length(),
+        CameraKind::Cylinder(3 | 4) => return Some(Aabb::INFINITE),
+        CameraKind::Perspective => lens?.reach(),
+        _ => return None,
+    };
+    Some(Aabb { min: camera.location, max: camera.location }.grown(reach))
 }
 
 impl Axes {

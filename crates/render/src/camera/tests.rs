@@ -28,7 +28,7 @@ fn shot(kind: CameraKind, x: f64, y: f64) -> Option<Ray> {
         normal: None,
         lens: None,
         mesh: None,
-        interiors_at_eye: SmallVec::new(),
+        interiors: Some(SmallVec::new()),
     };
     built.ray(x, y, FRAME, None)
 }

@@ -37,7 +37,7 @@ impl World {
             (i.ior, i.dispersion, i.interior.dispersion_samples)
         };
         let own = (this.ior, this.dispersion, this.interior.dispersion_samples);
-        let mut interiors = list.clone();
+        let mut interiors = super::copied(list);
         toggle(&mut interiors, id);
         let (from, to) = match (list.last(), list.contains(&id)) {
             (None, _) => (air, own),

@@ -92,7 +92,7 @@ pub(crate) fn reflected(point: &SurfacePoint<'_>, n: Vec3, weight: f32) -> Beam 
     };
     Beam {
         ray: Ray::new(point.surface.p, reflected_direction(beam.ray.dir, n, point.n)),
-        interiors: beam.interiors.clone(),
+        interiors: super::copied(&beam.interiors),
         weight,
         class,
         alpha: false,

@@ -83,7 +83,7 @@ impl World {
 fn through(point: &SurfacePoint<'_>, dir: Vec3, weight: f32, crossing: &Crossing) -> Beam {
     Beam {
         ray: Ray::new(point.surface.p, dir),
-        interiors: crossing.interiors.clone(),
+        interiors: super::copied(&crossing.interiors),
         weight,
         class: point.beam.class,
         alpha: point.beam.alpha,

@@ -9,6 +9,9 @@ use crate::sampling::Stream;
 /// The most samples along an axis, so that their number stays countable.
 const MOST: u32 = 4096;
 
+/// The most samples of a light whose places are worked out before.
+const MOST_FIXED: u32 = 1 << 16;
+
 /// The samples of an area light.
 pub struct AreaGrid {
     axis1: Vec3,
@@ -23,27 +26,41 @@ pub struct AreaGrid {
     pub jitter: bool,
     circular: bool,
     orient: bool,
+    /// Where the grid's points lie from the light's centre, where that is always the same; rows along the first axis.
+    fixed: Vec<Vec3>,
     /// Does every sample light the surface by its own direction?
     pub illumination: bool,
     /// Do photons leave from all of it?
     pub photons: bool,
+    /// How many samples are taken where nothing stands in the way.
+    pub open_samples: u32,
 }
 
 impl AreaGrid {
     /// Makes a grid ready.
     pub fn new(area: &scene::AreaLight) -> AreaGrid {
-        AreaGrid {
+        let (size1, size2) = (area.size1.clamp(1, MOST), area.size2.clamp(1, MOST));
+        let adaptive = area.adaptive.unwrap_or(100);
+        let mut grid = AreaGrid {
             axis1: area.axis1,
             axis2: area.axis2,
-            size1: area.size1.clamp(1, MOST),
-            size2: area.size2.clamp(1, MOST),
-            adaptive: area.adaptive.unwrap_or(100),
+            size1,
+            size2,
+            adaptive,
+            open_samples: open_samples([size1, size2], adaptive),
             jitter: area.jitter,
             circular: (area.circular || area.orient) && area.size1 > 1 && area.size2 > 1,
             orient: area.orient,
+            fixed: Vec::new(),
             illumination: area.area_illumination,
             photons: area.photons_area,
+        };
+        if !grid.jitter && !grid.orient && grid.size1 * grid.size2 <= MOST_FIXED {
+            let cells =
+                (0..grid.size2).flat_map(|v| (0..grid.size1).map(move |u| (f64::from(u), f64::from(v))));
+            grid.fixed = cells.map(|(u, v)| grid.place((grid.axis1, grid.axis2), u, v)).collect();
         }
+        grid
     }
 
     /// The grid's axes as seen from a point; `to_light` is the unit vector towards the light's centre.
@@ -58,6 +75,23 @@ impl AreaGrid {
         (axis1, unit(to_light.cross(axis1)) * length)
     }
 
+    /// The corners, in order around it, of a patch that holds all samples.
+    pub fn corners(&self, axes: (Vec3, Vec3)) -> [Vec3; 4] {
+        let half = |n: u32| {
+            let cell = if n > 1 { 1.0 / f64::from(n - 1) } else { 0.0 };
+            0.5 + if self.jitter { 0.5 * cell } else { 0.0 } + 0.002
+        };
+        let (a, b) = (axes.0 * half(self.size1), axes.1 * half(self.size2));
+        [-a - b, a - b, a + b, b - a]
+    }
+
+    /// Uses up the random numbers of a look at the whole light with nothing in the way.
+    pub fn pass_over(&self, random: &mut Stream) {
+        if self.jitter {
+            random.skip(2 * self.open_samples);
+        }
+    }
+
     /// Where a grid point lies without jitter and roundness.
     pub fn plain_offset(&self, u: u32, v: u32) -> Vec3 {
         let place = |k: u32, n: u32| if n > 1 { f64::from(k) / f64::from(n - 1) - 0.5 } else { 0.0 };
@@ -66,11 +100,18 @@ impl AreaGrid {
 
     /// Where grid point (u, v) lies from the light's centre. Jitter draws u first.
     pub fn offset(&self, axes: (Vec3, Vec3), u: u32, v: u32, random: &mut Stream) -> Vec3 {
+        if let Some(offset) = self.fixed.get((v * self.size1 + u) as usize) {
+            return *offset;
+        }
         let (mut u, mut v) = (f64::from(u), f64::from(v));
         if self.jitter {
             u += random.next() - 0.5;
             v += random.next() - 0.5;
         }
+        self.place(axes, u, v)
+    }
+
+    fn place(&self, axes: (Vec3, Vec3), u: f64, v: f64) -> Vec3 {
         let place = |k: f64, n: u32| if n > 1 { k / f64::from(n - 1) - 0.5 } else { 0.0 };
         let (s, t) = (place(u, self.size1), place(v, self.size2));
         if !self.circular {
@@ -120,6 +161,17 @@ pub fn average(
         scratch.cells[cell].1
     };
     divide(&mut corner, [0, 0], [grid.size1 - 1, grid.size2 - 1], 0, grid.adaptive)
+}
+
+/// How many different grid points are asked where all answer alike.
+fn open_samples(size: [u32; 2], adaptive: u32) -> u32 {
+    let mut asked = vec![false; (size[0] * size[1]) as usize];
+    let mut corner = |u: u32, v: u32| {
+        asked[(v * size[0] + u) as usize] = true;
+        Rgb::ONE
+    };
+    divide(&mut corner, [0, 0], [size[0] - 1, size[1] - 1], 0, adaptive);
+    asked.into_iter().filter(|&a| a).count() as u32
 }
 
 /// The mean over the rectangle of grid indices from `low` to `high`.

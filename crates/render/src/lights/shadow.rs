@@ -1,11 +1,11 @@
 //! Shadow rays: what reaches a surface point of a light (light spec, section 5.4).
-use raggio_geometry::{Hit, Interaction, RayClass};
+use raggio_geometry::{Hit, Interaction, RayClass, Shaft, Standing};
 use raggio_image::Rgb;
 use raggio_math::{Ray, Vec3};
 use raggio_shading::{Context, Layer};
 
-use super::{LightSource, Path, area};
-use crate::integrator::{Interiors, NormalPath, Tracer, fade, for_each_plain, placed, toggle};
+use super::{AreaGrid, LightSource, Path, area};
+use crate::integrator::{Interiors, NormalPath, Tracer, copied, fade, for_each_plain, placed, toggle};
 
 /// Nearer than this to either end of a segment nothing casts a shadow.
 pub const SHADOW_TOLERANCE: f64 = 1e-3;
@@ -29,16 +29,39 @@ impl Tracer<'_> {
             return light;
         }
         let Some(grid) = source.area.as_ref().filter(|_| self.quality.area_lights()) else {
-            return self.walk_to_light(source, p, path, light, interiors, collects);
+            return self.walk_to_light(source, p, path, light, interiors, collects, &Standing::Anything);
         };
+        let standing = self.before_area(source, grid, p, path);
+        if matches!(&standing, Standing::Listed(list) if list.is_empty()) && self.is_clear(source) {
+            grid.pass_over(&mut self.streams.lights);
+            return light;
+        }
         let mut scratch = std::mem::take(&mut self.area_scratch);
         let mut random = self.streams.lights;
         let mean = area::average(source, grid, path.dir, &mut scratch, &mut random, |from| {
-            self.walk_to_light(source, p, &source.path_to(p, from), light, interiors, collects)
+            self.walk_to_light(source, p, &source.path_to(p, from), light, interiors, collects, &standing)
         });
         self.area_scratch = scratch;
         self.streams.lights = random;
         mean
+    }
+
+    /// What may stand between a point and an area light.
+    fn before_area(&self, source: &LightSource, grid: &AreaGrid, p: Vec3, path: &Path) -> Standing {
+        if source.parallel || source.projected_through.is_some() || grid.open_samples < 4 {
+            return Standing::Anything;
+        }
+        let corners = grid.corners(grid.axes(path.dir)).map(|offset| source.position + offset);
+        match Shaft::new(p, corners, 0.999 * SHADOW_TOLERANCE) {
+            Some(shaft) => self.world.geometry.standing_in(&shaft, RayClass::Shadow),
+            None => Standing::Anything,
+        }
+    }
+
+    /// Does empty space leave the light of a source as it is?
+    fn is_clear(&self, source: &LightSource) -> bool {
+        let empty = self.world.air.is_empty() && self.world.sky.is_clear();
+        empty || !source.media_attenuation || !self.quality.volume()
     }
 
     /// Follows one shadow ray from surface to surface.
@@ -50,6 +73,7 @@ impl Tracer<'_> {
         mut light: Rgb,
         interiors: &Interiors,
         collects: bool,
+        standing: &Standing,
     ) -> Rgb {
         let world = self.world;
         let replaced = collects && self.photons.is_some();
@@ -70,7 +94,9 @@ impl Tracer<'_> {
         let mut guess = self.blockers[source.index];
         while left > 2.0 * SHADOW_TOLERANCE {
             let range = (SHADOW_TOLERANCE, left - SHADOW_TOLERANCE);
-            let Some(hit) = world.geometry.blocker(&ray, range, RayClass::Shadow, &mut guess, stops) else {
+            let Some(hit) =
+                world.geometry.blocker(&ray, range, RayClass::Shadow, standing, &mut guess, stops)
+            else {
                 break;
             };
             if stops(&hit) {
@@ -78,7 +104,7 @@ impl Tracer<'_> {
                 return Rgb::ZERO;
             }
             let surface = world.geometry.interaction(&ray, &hit);
-            let inside = list.get_or_insert_with(|| interiors.clone());
+            let inside = list.get_or_insert_with(|| copied(interiors));
             light *= self.filter(&ray, hit.t, &surface, inside);
             if light == Rgb::ZERO {
                 return light;

@@ -242,10 +242,17 @@ fn top_finish(o: &Object) -> raggio_scene::Finish {
 fn clips(p: &mut Parser, o: &mut Object, key: Kw) -> Result<()> {
     p.next()?;
     let other = if key == Kw::Clipped_by { Kw::Bounded_by } else { Kw::Clipped_by };
-    let (mut linked, mut objects) = (false, Vec::new());
+    let (mut linked, mut objects) = (false, Vec::<Arc<Object>>::new());
     p.block(key.word(), |p| {
         if objects.is_empty() && p.accept(other)? {
             linked = true;
+            return Ok(true);
+        }
+        // A transform after the objects moves them all.
+        if !objects.is_empty()
+            && let Some(t) = p.accept_transform()?
+        {
+            objects.iter_mut().for_each(|object| Arc::make_mut(object).transform(&t));
             return Ok(true);
         }
         let object = match p.peek()? {

@@ -55,7 +55,10 @@ impl Compiler {
             NormalKind::Bump { warps, image } => {
                 Kind::Bump { warps: WarpList::compile(warps), image: Image::compile(image), size: amount }
             }
-            NormalKind::Uv(inner) => Kind::Uv(self.shared_normal(inner, scaled)),
+            NormalKind::Uv(inner) => {
+                self.asks_uv = true;
+                Kind::Uv(self.shared_normal(inner, scaled))
+            }
         };
         Normal { kind, scaled }
     }

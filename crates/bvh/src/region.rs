@@ -1,0 +1,120 @@
+//! Convex regions of space, and which boxes reach into them.
+use raggio_math::{Aabb, Vec3};
+
+use crate::node::{Kind, Node, WIDTH};
+use crate::round::{down, up};
+use crate::{BoxRow, Bvh};
+
+/// What a plane may be off by, as a share of the numbers that go into it.
+const ROUNDING: f64 = 1e-12;
+
+/// A box cut by four half spaces.
+#[derive(Clone, Copy, Debug)]
+pub struct Region {
+    /// The box.
+    pub bounds: Aabb,
+    /// The points with `normal . p <= distance` are within; a zero normal cuts nothing.
+    pub planes: [(Vec3, f64); 4],
+}
+
+/// The box of a child.
+fn child_box(node: &Node, i: usize) -> Aabb {
+    let corner = |at: usize| Vec3::from([0, 1, 2].map(|k| f64::from(node.sides[at + k][i])));
+    Aabb { min: corner(0), max: corner(3) }
+}
+
+impl Region {
+    /// Is the box beyond one of the planes?
+    fn is_beyond(&self, b: &Aabb) -> bool {
+        self.planes.iter().any(|&(normal, distance)| {
+            // The box's corner that is deepest within.
+            let deepest = Vec3::select(normal.cmpgt(Vec3::ZERO), b.min, b.max);
+            let products = normal * deepest;
+            let slack = (products.abs().element_sum() + distance.abs()) * ROUNDING;
+            products.element_sum() - distance > slack
+        })
+    }
+
+    /// Visits the children of a node that reach into the region.
+    #[inline]
+    fn children(&self, (min, max): ([f32; 3], [f32; 3]), node: &Node, mut visit: impl FnMut(usize, &Aabb)) {
+        let mut outside = [false; WIDTH];
+        for k in 0..3 {
+            for (i, out) in outside.iter_mut().enumerate() {
+                *out |= !(node.sides[k][i] <= max[k] && min[k] <= node.sides[k + 3][i]);
+            }
+        }
+        for i in (0..WIDTH).filter(|&i| !outside[i]) {
+            let b = child_box(node, i);
+            if !self.is_beyond(&b) {
+                visit(i, &b);
+            }
+        }
+    }
+
+    fn limits(&self) -> ([f32; 3], [f32; 3]) {
+        (self.bounds.min.to_array().map(down), self.bounds.max.to_array().map(up))
+    }
+}
+
+impl BoxRow {
+    /// Visits the boxes, by their places, that reach into a region.
+    pub fn within(&self, region: &Region, mut visit: impl FnMut(u32, &Aabb)) {
+        region.children(region.limits(), &self.node, |i, b| visit(i as u32, b));
+    }
+}
+
+impl Bvh {
+    /// Visits the primitives whose boxes reach into a region, each with a box around it, until `visit` says that it has
+    /// seen enough.
+    pub fn within(&self, region: &Region, mut visit: impl FnMut(u32, &Aabb) -> bool) {
+        let limits = region.limits();
+        let mut stack: smallvec::SmallVec<[u32; 64]> = smallvec::SmallVec::new();
+        let mut enough = false;
+        if !self.nodes.is_empty() {
+            stack.push(0);
+        }
+        while let (Some(index), false) = (stack.pop(), enough) {
+            let node = &self.nodes[index as usize];
+            region.children(limits, node, |i, b| match node.children[i].kind() {
+                Kind::Inner(inner) => stack.push(inner as u32),
+                Kind::Leaf(run) => {
+                    enough = enough || self.prims[run].iter().any(|&prim| visit(prim, b));
+                }
+            });
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn boxes_beyond_a_side_or_a_plane_are_left_out() {
+        let slope = (Vec3::new(1.0, 1.0, 0.0), 4.0);
+        let region = Region {
+            bounds: Aabb::new(Vec3::ZERO, Vec3::splat(4.0)),
+            planes: [slope, (Vec3::ZERO, 0.0), (Vec3::ZERO, 0.0), (Vec3::ZERO, 0.0)],
+        };
+        let at = |x: f64, y: f64| Aabb::new(Vec3::new(x, y, 1.0), Vec3::new(x + 0.5, y + 0.5, 2.0));
+        let mut half = Aabb::INFINITE;
+        half.min.y = 3.0;
+        let boxes = [at(1.0, 1.0), at(3.0, 3.0), at(2.0, 2.0), at(5.0, 0.0), Aabb::EMPTY, half];
+        let mut few = Vec::new();
+        BoxRow::new(&boxes).within(&region, |i, _| few.push(i));
+        assert_eq!(few, [0, 2, 5]);
+        let many: Vec<Aabb> =
+            (0..400).map(|i| at(f64::from(i % 20) * 0.3, f64::from(i / 20) * 0.3)).collect();
+        let mut found = Vec::new();
+        Bvh::build(&many, 1).bvh.within(&region, |i, _| {
+            found.push(i);
+            false
+        });
+        found.sort_unstable();
+        let expected: Vec<u32> =
+            (0..400).filter(|&i| many[i as usize].min.x + many[i as usize].min.y <= 4.0 + 1e-6).collect();
+        let within = expected.iter().filter(|&&i| many[i as usize].min.max_element() <= 4.0).count();
+        assert!(found.iter().all(|i| expected.contains(i)) && found.len() == within, "{}", found.len());
+    }
+}

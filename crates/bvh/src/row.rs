@@ -1,0 +1,135 @@
+//! Up to eight boxes side by side, tested at once: for groups too small for a tree.
+#![allow(unsafe_code)]
+
+use raggio_math::Aabb;
+
+#[cfg(target_arch = "x86_64")]
+use crate::kernel::Avx2;
+use crate::kernel::{Kernel, Scalar, Slab, simd_available};
+use crate::node::{Node, WIDTH};
+use crate::round::{down, up};
+
+/// A row of boxes, known by their places in it. Boxes may be empty, and infinite on any side.
+pub struct BoxRow {
+    pub(crate) node: Node,
+    /// Has the processor the wide kernel?
+    simd: bool,
+}
+
+/// The boxes of a row that a ray touches.
+pub struct Touched {
+    mask: u32,
+    near: [f32; WIDTH],
+    far: [f32; WIDTH],
+}
+
+/// A box that a ray touches.
+pub struct Touch {
+    /// Its place in the row.
+    pub place: usize,
+    /// The part of the ray's range that may lie in it.
+    pub range: (f64, f64),
+}
+
+/// Entries are not rounded down; this share makes up for it.
+const SLACK: f64 = 1e-6;
+
+impl BoxRow {
+    /// The most boxes in a row.
+    pub const MOST: usize = WIDTH;
+
+    /// A row of the first [`BoxRow::MOST`] of some boxes.
+    pub fn new(boxes: &[Aabb]) -> Self {
+        let mut node = Node::EMPTY;
+        for (i, b) in boxes.iter().take(WIDTH).enumerate().filter(|(_, b)| !b.is_empty()) {
+            for k in 0..3 {
+                node.sides[k][i] = down(b.min[k]);
+                node.sides[k + 3][i] = up(b.max[k]);
+            }
+        }
+        BoxRow { node, simd: simd_available() }
+    }
+
+    /// The boxes that the ray touches within the range, whose start is taken to be at least 0. Rays with an infinite
+    /// or undefined part touch nothing.
+    #[inline]
+    pub fn touched(&self, slab: &Slab, range: (f64, f64)) -> Touched {
+        let mut touched = Touched { mask: 0, near: [0.0; WIDTH], far: [0.0; WIDTH] };
+        if slab.finite {
+            let (t0, t1) = (down(range.0.max(0.0)), up(range.1));
+            #[cfg(target_arch = "x86_64")]
+            if self.simd {
+                // SAFETY: `simd` says that the processor has AVX2.
+                touched.mask =
+                    unsafe { Avx2::test(&self.node, slab, t0, t1, &mut touched.near, &mut touched.far) };
+                return touched;
+            }
+            // SAFETY: the scalar kernel needs nothing.
+            touched.mask =
+                unsafe { Scalar::test(&self.node, slab, t0, t1, &mut touched.near, &mut touched.far) };
+        }
+        touched
+    }
+}
+
+impl Touched {
+    /// The box that the ray enters first of those left, if it does so before `far`.
+    #[inline]
+    pub fn next(&mut self, far: f64) -> Option<Touch> {
+        let mut rest = self.mask;
+        if rest == 0 {
+            return None;
+        }
+        let mut first = rest.trailing_zeros() as usize & 7;
+        rest &= rest - 1;
+        while rest != 0 {
+            let i = rest.trailing_zeros() as usize & 7;
+            rest &= rest - 1;
+            if self.near[i] < self.near[first] {
+                first = i;
+            }
+        }
+        self.mask &= !(1 << first);
+        let range = (f64::from(self.near[first]) * (1.0 - SLACK), far.min(f64::from(self.far[first])));
+        (range.0 <= far).then_some(Touch { place: first, range })
+    }
+
+    /// The places of all boxes touched, in their order in the row.
+    #[inline]
+    pub fn each(self, mut visit: impl FnMut(usize)) {
+        let mut rest = self.mask;
+        while rest != 0 {
+            visit(rest.trailing_zeros() as usize & 7);
+            rest &= rest - 1;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use raggio_math::{Ray, Vec3};
+
+    #[test]
+    fn boxes_come_in_the_order_in_which_they_are_entered() {
+        let unit = |x: f64| Aabb::new(Vec3::new(x, -1.0, -1.0), Vec3::new(x + 1.0, 1.0, 1.0));
+        let aside = Aabb::new(Vec3::new(0.0, 2.0, 0.0), Vec3::new(9.0, 3.0, 1.0));
+        let mut half = Aabb::INFINITE;
+        half.max.x = 2.5;
+        let mut row = BoxRow::new(&[unit(5.0), aside, unit(2.0), Aabb::EMPTY, half, unit(-9.0)]);
+        let ray = Ray::new(Vec3::ZERO, Vec3::X);
+        for simd in [row.simd, false] {
+            row.simd = simd;
+            let order = |far: f64| {
+                let mut touched = row.touched(&Slab::new(&ray), (0.5, 10.0));
+                std::iter::from_fn(|| touched.next(far)).map(|t| t.place).collect::<Vec<_>>()
+            };
+            assert_eq!(order(10.0), [4, 2, 0]);
+            assert_eq!(order(3.0), [4, 2]);
+            let mut all = Vec::new();
+            row.touched(&Slab::new(&ray), (0.5, 10.0)).each(|i| all.push(i));
+            assert_eq!(all, [0, 2, 4]);
+            assert_eq!(row.touched(&Slab::new(&ray), (0.5, 4.0)).mask, 0b10100);
+        }
+    }
+}

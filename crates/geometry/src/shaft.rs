@@ -1,0 +1,134 @@
+//! Shafts: the space between a point and a patch of light, and what may stand in it.
+//!
+//! All shadow rays from a point to an area light go through one shaft (Haines and Wallace, "Shaft culling for efficient
+//! ray-cast radiosity", 1991). What does not reach into it stops none of them.
+use raggio_bvh::{BoxRow, Region};
+use raggio_math::{Aabb, Affine, Vec3};
+use smallvec::SmallVec;
+
+use crate::leaf::{Leaves, Prim};
+use crate::tree::{Node, Tree};
+use crate::{Geometry, RayClass};
+
+/// The corners of a shaft: near the point, then far.
+pub(crate) type Corners = [Vec3; 8];
+
+/// All segments from a point to the points of a patch with four corners, without the part next to the point.
+pub struct Shaft {
+    corners: Corners,
+    region: Region,
+}
+
+/// What may stand in a shaft.
+pub enum Standing {
+    /// Too much to be listed, or unknown.
+    Anything,
+    /// These and nothing else.
+    Listed(Box<List>),
+}
+
+/// Members of the world by number, with their boxes.
+pub struct List {
+    members: SmallVec<[u32; BoxRow::MOST]>,
+    pub(crate) boxes: BoxRow,
+}
+
+impl Shaft {
+    /// A box instead of a shaft.
+    pub(crate) fn of_box(b: &Aabb) -> Shaft {
+        let corner = |i: usize| {
+            let pick = |bit: usize, lo: f64, hi: f64| if i & bit == 0 { lo } else { hi };
+            Vec3::new(pick(1, b.min.x, b.max.x), pick(2, b.min.y, b.max.y), pick(4, b.min.z, b.max.z))
+        };
+        Shaft {
+            corners: std::array::from_fn(corner),
+            region: Region { bounds: *b, planes: [(Vec3::ZERO, 0.0); 4] },
+        }
+    }
+
+    /// The shaft from `p` to the patch with corners in order around it, from the distance `start` on. `None` where the
+    /// point lies in a corner.
+    pub fn new(p: Vec3, patch: [Vec3; 4], start: f64) -> Option<Shaft> {
+        let mut corners = [p; 8];
+        for (i, &far) in patch.iter().enumerate() {
+            corners[i] = p + (far - p).try_normalize()? * start;
+            corners[i + 4] = far;
+        }
+        let middle = (patch[0] + patch[1] + patch[2] + patch[3]) * 0.25 - p;
+        let planes = [0, 1, 2, 3].map(|i| {
+            let normal = (patch[i] - p).cross(patch[(i + 1) % 4] - p);
+            let side = normal.dot(middle);
+            // A side that all of the patch is in sorts out nothing.
+            let flat = side.abs() <= 1e-9 * normal.length() * middle.length();
+            let normal = if flat { Vec3::ZERO } else { normal * -side.signum() };
+            (normal, normal.dot(p))
+        });
+        Some(Shaft { corners, region: Region { bounds: Aabb::around(corners), planes } })
+    }
+}
+
+impl List {
+    /// Does nothing stand there?
+    pub fn is_empty(&self) -> bool {
+        self.members.is_empty()
+    }
+
+    pub(crate) fn member(&self, place: usize) -> u32 {
+        self.members[place]
+    }
+
+    pub(crate) fn holds(&self, member: u32) -> bool {
+        self.members.contains(&member)
+    }
+}
+
+impl Geometry {
+    /// What may stand in a shaft in the way of rays of a class.
+    pub fn standing_in(&self, shaft: &Shaft, class: RayClass) -> Standing {
+        let mut members = SmallVec::new();
+        let mut boxes: SmallVec<[Aabb; BoxRow::MOST]> = SmallVec::new();
+        let mut too_many = false;
+        self.world.surfaces.within(&shaft.region, |index, b| {
+            let member = self.world.members[index as usize];
+            if member.skip & class.bit() != 0 || self.tree.misses(member.node, shaft) {
+                return false;
+            }
+            too_many = members.len() == BoxRow::MOST;
+            if !too_many {
+                members.push(index);
+                boxes.push(*b);
+            }
+            too_many
+        });
+        match too_many {
+            true => Standing::Anything,
+            false => Standing::Listed(Box::new(List { members, boxes: BoxRow::new(&boxes) })),
+        }
+    }
+}
+
+impl Tree {
+    /// Is it plain that the surface of a node does not reach into a shaft?
+    fn misses(&self, node: crate::tree::NodeRef, shaft: &Shaft) -> bool {
+        match node.node() {
+            Node::Leaf(leaf) => self.leaves.misses(leaf, &shaft.corners),
+            Node::Group(_) => false,
+        }
+    }
+}
+
+impl Leaves {
+    fn misses(&self, leaf: u32, corners: &Corners) -> bool {
+        let moved = |to: &Affine| corners.map(|p| to.transform_point3(p));
+        match &self.leaves[leaf as usize].prim {
+            Prim::Sphere { sphere, .. } => sphere.misses(corners),
+            Prim::Plane(plane) => plane.misses(corners),
+            Prim::Box(cuboid) => cuboid.misses(corners),
+            Prim::PlacedBox { cuboid, place } => cuboid.misses(&moved(&self.places[*place as usize])),
+            Prim::World(s) => self.shapes[*s as usize].misses(corners),
+            Prim::Placed { shape, place } => {
+                self.shapes[*shape as usize].misses(&moved(&self.places[*place as usize]))
+            }
+        }
+    }
+}
