@@ -21,28 +21,13 @@ fn pane(spacing: f32, count: u32, collect: bool) -> Scene {
     let mut scene = scene(
         view(CameraKind::Perspective, v(0.0, 5.0, -10.0), 1.0, 1.0),
         vec![
-            shine(point_light(v(0.0, 10.0, 0.0), Rgb::ONE)),
+            shine(Light::new(v(0.0, 10.0, 0.0), Rgb::ONE)),
             target,
             plane(v(0.0, 1.0, 0.0), 0.0, texture(Color::WHITE, Finish::default())),
         ],
     );
-    scene.settings.photons = Some(Photons {
-        spacing,
-        count,
-        gather_min: 20,
-        gather_max: 100,
-        jitter: 0.4,
-        max_trace_level: None,
-        adc_bailout: None,
-        autostop: 0.5,
-        expand_increase: 0.2,
-        expand_min: 35,
-        radius: [0.0, 1.0, 0.0, 1.0],
-        media_max_steps: 0,
-        media_factor: 1.0,
-        save_file: None,
-        load_file: None,
-    });
+    let radius = [0.0, 1.0, 0.0, 1.0];
+    scene.settings.photons = Some(Photons { spacing, count, radius, ..Photons::default() });
     scene
 }
 
