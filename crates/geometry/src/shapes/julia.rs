@@ -86,7 +86,7 @@ impl Julia {
             }
             Map::Hypercomplex(map) => {
                 let start = Hypercomplex::from_vec(map.defective_start(q));
-                map.orbit(start, self.hyper_parameter(), self.steps, self.escape).escaped.is_none()
+                map.escape(start, self.hyper_parameter(), self.steps, self.escape).is_none()
             }
         }
     }
@@ -96,6 +96,7 @@ impl Julia {
     }
 
     /// Is the point inside, and how far can the march go?
+    #[inline]
     fn look(&self, p: Vec3, dir: Vec3) -> Look {
         let q = self.lifted(p);
         let (inside, estimate) = match self.map {
@@ -106,12 +107,12 @@ impl Julia {
                 }
             }
             Map::Hypercomplex(map) => {
-                let orbit =
-                    map.orbit(Hypercomplex::from_vec(q), self.hyper_parameter(), self.steps, self.escape);
-                match orbit.escaped {
+                let start = Hypercomplex::from_vec(q);
+                match map.escape(start, self.hyper_parameter(), self.steps, self.escape) {
                     None => (true, self.least_step),
-                    Some(size) => {
-                        let newton = size / (-2.0 * orbit.gradient().dot(dir));
+                    Some(orbit) => {
+                        let size = orbit.escaped.unwrap_or(self.escape);
+                        let newton = size / (-2.0 * orbit.growth(dir));
                         let sane = self.least_step < newton && newton < 30.0 * self.least_step;
                         (false, if sane { newton } else { self.least_step })
                     }
