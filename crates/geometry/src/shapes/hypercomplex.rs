@@ -178,6 +178,15 @@ impl Map {
         }
     }
 
+    /// The step at which the orbit escapes, or `steps`, and the squared size of the last number that was looked at.
+    pub(crate) fn last_size(self, q: Hypercomplex, c: Hypercomplex, steps: u32, escape: f64) -> (u32, f64) {
+        match self {
+            Map::Square => last_size(q, c, (steps, escape), square),
+            Map::Reciprocal => last_size(q, c, (steps, escape), Complex::inverse),
+            Map::Function(f) => last_size(q, c, (steps, escape), |x| value(f, x)),
+        }
+    }
+
     /// The orbit, if it escapes. Of maps that cost next to nothing the product is made when that is known, by a second
     /// run, for most points escape at once or never.
     #[inline(always)]
@@ -241,19 +250,32 @@ fn orbit(
 /// After how many steps the orbit escapes, if it does.
 #[inline(always)]
 fn length(
-    mut q: Hypercomplex,
+    q: Hypercomplex,
     c: Hypercomplex,
     (steps, escape): (u32, f64),
     map: impl Fn(Complex) -> Complex,
 ) -> Option<u32> {
+    let (k, _) = last_size(q, c, (steps, escape), map);
+    (k < steps).then_some(k)
+}
+
+/// The step at which the orbit escapes, or `steps`, and the squared size of the last number that was looked at.
+#[inline(always)]
+fn last_size(
+    mut q: Hypercomplex,
+    c: Hypercomplex,
+    (steps, escape): (u32, f64),
+    map: impl Fn(Complex) -> Complex,
+) -> (u32, f64) {
+    let mut size2 = 0.0;
     for k in 0..steps {
-        let size2 = q.dot(q);
+        size2 = q.dot(q);
         if size2.is_nan() || size2 > escape {
-            return Some(k);
+            return (k, size2);
         }
         q = q.each(&map).with(c, |a, b| a + b);
     }
-    None
+    (steps, size2)
 }
 
 fn value(function: JuliaFunction, x: Complex) -> Complex {
