@@ -159,6 +159,15 @@ impl Map {
         }
     }
 
+    /// What POV-Ray multiplies the growth of an orbit by in its steps. The product of squares lacks the factor 2 of the
+    /// first step; the others are taken as they are.
+    pub(crate) fn growth_scale(self) -> f64 {
+        match self {
+            Map::Square => 4.0,
+            Map::Reciprocal | Map::Function(_) => 2.0,
+        }
+    }
+
     /// Where POV-Ray starts the orbit for the inside test and the normal: functions take y for z.
     pub(crate) fn defective_start(self, q: Vec4) -> Vec4 {
         match self {

@@ -117,7 +117,7 @@ impl Julia {
                     None => (true, self.least_step),
                     Some(orbit) => {
                         let size = orbit.escaped.unwrap_or(self.escape);
-                        let newton = size / (-2.0 * orbit.growth(dir));
+                        let newton = size / (-map.growth_scale() * orbit.growth(dir));
                         let sane = self.least_step < newton && newton < 30.0 * self.least_step;
                         (false, if sane { newton } else { self.least_step })
                     }
