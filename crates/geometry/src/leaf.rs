@@ -296,6 +296,11 @@ impl Leaves {
         }
     }
 
+    /// Is the node a plane?
+    pub(crate) fn is_plane(&self, node: NodeRef) -> bool {
+        matches!(node.node(), Node::Leaf(leaf) if matches!(self.leaves[leaf as usize].prim, Prim::Plane(_)))
+    }
+
     /// Is asking whether a point is in the node as quick as asking its boxes?
     pub(crate) fn is_quick(&self, node: NodeRef) -> bool {
         matches!(node.node(), Node::Leaf(leaf)
