@@ -1,4 +1,5 @@
-//! The convex part of an intersection: its planes and spheres, which say at once where a ray can be inside at all.
+//! The convex part of an intersection: its planes and spheres, which say at once where a ray can be inside at all. Clips
+//! are as good as members.
 use raggio_math::{Aabb, EPS, Ray, Vec3};
 
 use crate::leaf::{Leaves, Prim};
@@ -22,7 +23,7 @@ pub(crate) struct Convex {
 }
 
 impl Convex {
-    /// The planes and spheres among the members of an intersection, if there are any.
+    /// The planes and spheres among the members of an intersection and the clips, if there are any.
     pub(crate) fn of(members: impl Iterator<Item = NodeRef>, leaves: &Leaves) -> Option<Self> {
         let mut convex = Convex::default();
         for node in members {

@@ -374,10 +374,8 @@ fn group(op: Op, built: &[Built], leaves: &Leaves, clips: Vec<NodeRef>, bounds: 
     let (surfaces, deciders) =
         indices(&surfaces, &decisions, deciders(built, leaves), 1 + usize::from(cheap));
     let members: Vec<_> = built.iter().map(|b| b.member).collect();
-    let convex = match op {
-        Op::Intersection => Convex::of(members.iter().map(|m| m.node), leaves),
-        Op::Union | Op::Merge => None,
-    };
+    let limiting = if op == Op::Intersection { &members[..] } else { &[] };
+    let convex = Convex::of(limiting.iter().map(|m| m.node).chain(clips.iter().copied()), leaves);
     Group { op, members, surfaces, deciders, clips, bounds, convex }
 }
 

@@ -76,7 +76,7 @@ pub(crate) struct Group {
     pub(crate) clips: Vec<NodeRef>,
     /// Rays that miss any of them miss the group.
     pub(crate) bounds: Vec<NodeRef>,
-    /// What an intersection lies within, if it has planes or spheres.
+    /// What it lies within: planes and spheres of an intersection, and of the clips.
     pub(crate) convex: Option<Convex>,
 }
 
@@ -200,10 +200,12 @@ impl Tree {
     ) -> Option<Hit> {
         let node = group.members[member as usize].node;
         let counts = |t: f64| self.counts(group, member, probe.ray.at(t));
-        if let Node::Leaf(leaf) = node.node()
-            && let Some(found) = self.leaves.closest_of_few(leaf, &probe.ray, range, counts)
-        {
-            return found;
+        if let Node::Leaf(leaf) = node.node() {
+            let ray = &probe.ray;
+            let found = self.leaves.closest_of_few(leaf, ray, range, counts);
+            if let Some(found) = found.or_else(|| self.leaves.closest_counted(leaf, ray, range, counts)) {
+                return found;
+            }
         }
         let start = scratch.lists().hits.len();
         self.hits(node, probe, range, class, scratch);
