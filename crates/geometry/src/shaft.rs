@@ -110,6 +110,11 @@ impl List {
 }
 
 impl Geometry {
+    /// Has it so few objects that all of them are tested at once anyway?
+    pub fn is_small(&self) -> bool {
+        self.world.members.len() <= BoxRow::MOST
+    }
+
     /// What may stand in a shaft in the way of rays of a class.
     pub fn standing_in(&self, shaft: &Shaft, class: RayClass) -> Standing {
         let mut members = SmallVec::new();

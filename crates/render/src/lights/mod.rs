@@ -93,8 +93,8 @@ impl LightSource {
     #[inline]
     pub fn before(&self, path: &Path, geometry: &Geometry) -> &Standing {
         match &self.buffer {
-            Some(buffer) => buffer.towards(-path.dir, geometry),
-            None => &Standing::Anything,
+            Some(buffer) if !geometry.is_small() => buffer.towards(-path.dir, geometry),
+            _ => &Standing::Anything,
         }
     }
 
