@@ -5,8 +5,8 @@ use raggio_geometry::{Geometry, Interaction, InteriorId, RayClass};
 use raggio_math::transform::{rotate, scale, translate};
 use raggio_math::{Ray, Vec3};
 use raggio_scene::{
-    Color, Csg, FaceTexture, Finish, Interior, Irid, Layer, Light, LightKind, Mesh, MeshFace, Object,
-    ObjectKind, PhotonFlags, Pigment, Placed, Rgb, Shape, Texture, TextureKind,
+    Color, Csg, FaceTexture, Finish, Interior, Irid, Layer, Light, Mesh, MeshFace, Object, ObjectKind,
+    Pigment, Placed, Rgb, Shape, Texture, TextureKind,
 };
 
 fn ball(x: f64) -> Object {
@@ -276,21 +276,8 @@ fn faces_of_meshes_bring_their_textures() {
 }
 
 fn light(location: Vec3, looks_like: Option<Object>) -> Object {
-    Object::new(ObjectKind::Light(Arc::new(Light {
-        location,
-        color: Rgb::ONE,
-        kind: LightKind::Point,
-        point_at: Vec3::ZERO,
-        parallel: false,
-        fade_distance: 0.0,
-        fade_power: 0.0,
-        area: None,
-        media_interaction: true,
-        media_attenuation: false,
-        looks_like: looks_like.map(Arc::new),
-        projected_through: None,
-        photons: PhotonFlags::default(),
-    })))
+    let looks_like = looks_like.map(Arc::new);
+    Object::new(ObjectKind::Light(Arc::new(Light { looks_like, ..Light::new(location, Rgb::ONE) })))
 }
 
 #[test]

@@ -7,7 +7,7 @@ use crate::api::{AntialiasMethod, Options};
 use crate::camera::{Frame, Lens};
 use crate::film::{Pixel, Tile};
 use crate::integrator::{Beam, Quality, Tracer};
-use crate::photons::{self, PhotonMap};
+use crate::photons;
 use crate::radiosity;
 use crate::sampling::Streams;
 use crate::world::World;
@@ -29,7 +29,7 @@ impl<'w> Sampler<'w> {
         options: &'w Options,
         stack: usize,
         radiosity: Option<radiosity::State<'w>>,
-        photons: &'w PhotonMap,
+        photons: &'w photons::Maps,
     ) -> Self {
         let max_level = options.max_trace_level.unwrap_or(world.rules.max_trace_level).clamp(1, 256);
         let mut tracer = Tracer::new(world, Quality::new(options.quality), max_level, stack);

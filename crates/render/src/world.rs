@@ -122,8 +122,13 @@ impl World {
     /// The effects of a scene that are not built yet and would be left out of its picture.
     pub fn unsupported(scene: &Scene) -> Vec<&'static str> {
         let mut missing = Vec::new();
-        if photons::Plan::in_media(scene) {
-            missing.push("photons in media");
+        if let Some(photons) = &scene.settings.photons {
+            if photons.save_file.is_some() {
+                missing.push("save_file of photons");
+            }
+            if photons.load_file.is_some() {
+                missing.push("load_file of photons");
+            }
         }
         if scene.settings.subsurface.is_some_and(|s| s.radiosity) && scene.settings.radiosity.is_some() {
             missing.push("radiosity of subsurface light");

@@ -7,25 +7,6 @@ use raggio_math::{Affine, transform};
 use raggio_scene::*;
 use stage::*;
 
-fn medium() -> Media {
-    Media {
-        method: 3,
-        intervals: 1,
-        samples: (10, 10),
-        confidence: 0.9,
-        variance: 1.0 / 128.0,
-        ratio: 0.9,
-        jitter: 0.0,
-        aa_level: 3,
-        aa_threshold: 0.1,
-        absorption: Rgb::ZERO,
-        emission: Rgb::ZERO,
-        scattering: None,
-        densities: Vec::new(),
-        collect: true,
-    }
-}
-
 /// `density { gradient z scale ... translate ... }`
 fn ramp(scale: f64, shift: f64) -> Placed<Density> {
     let forward = transform::translate(v(0.0, 0.0, shift)) * transform::scale(v(scale, scale, scale));
@@ -63,11 +44,11 @@ fn seen(objects: Vec<Object>) -> f32 {
 }
 
 fn scattered(kind: u8, eccentricity: f32, extinction: f32) -> f32 {
-    let mut sun = point_light(v(0.0, 0.0, -100.0), Rgb::ONE);
+    let mut sun = Light::new(v(0.0, 0.0, -100.0), Rgb::ONE);
     sun.parallel = true;
     sun.point_at = v(0.0, 0.0, 0.0);
     let scattering = Some(Scattering { kind, color: Rgb::splat(0.1), eccentricity, extinction });
-    seen(vec![shine(sun), filled(Media { scattering, ..medium() })])
+    seen(vec![shine(sun), filled(Media { scattering, ..Media::default() })])
 }
 
 #[test]
@@ -92,7 +73,7 @@ fn method_3_with_a_density() {
             samples: (samples, samples),
             aa_threshold: 0.01,
             densities: vec![ramp(4.0, 0.0)],
-            ..medium()
+            ..Media::default()
         };
         let got = seen(vec![filled(media)]);
         assert!((got - recorded).abs() < 2e-5, "{samples} samples: {got}, recorded {recorded}");
@@ -106,7 +87,7 @@ fn absorption_and_emission_over_a_background() {
             emission: Rgb::splat(0.1),
             absorption: Rgb::splat(0.5),
             samples: (samples, samples),
-            ..medium()
+            ..Media::default()
         };
         let mut scene = scene(ahead(), vec![filled(media)]);
         scene.atmosphere.background = Some(Background { color: rgbft([0.5, 0.5, 0.5, 0.0, 0.0]) });
@@ -131,7 +112,7 @@ fn random_methods_are_right_on_average() {
         jitter: 0.8,
         emission: Rgb::splat(0.4),
         densities: vec![ramp(4.0, 0.0)],
-        ..medium()
+        ..Media::default()
     };
     assert!((mean(glow(1, 2, (3, 3))) - 0.2).abs() < 2e-3);
     // Jitter of method 2 moves samples forward, by 0.4 of a third of an interval on average.
@@ -142,12 +123,12 @@ fn random_methods_are_right_on_average() {
 
 #[test]
 fn absorption_dims_light_on_its_way_to_a_surface() {
-    let media = Media { absorption: Rgb::splat(0.5), ..medium() };
+    let media = Media { absorption: Rgb::splat(0.5), ..Media::default() };
     let floor = plane(v(0.0, 0.0, -1.0), -3.0, {
         let matt = Finish { diffuse: 1.0, diffuse_raw: 1.0, ..glowing(0.0) };
         texture(Color::WHITE, matt)
     });
-    let mut sun = point_light(v(0.0, 0.0, -100.0), Rgb::ONE);
+    let mut sun = Light::new(v(0.0, 0.0, -100.0), Rgb::ONE);
     sun.parallel = true;
     sun.point_at = v(0.0, 0.0, 0.0);
     let got = seen(vec![shine(sun), filled(media), floor]);
@@ -157,7 +138,7 @@ fn absorption_dims_light_on_its_way_to_a_surface() {
 
 #[test]
 fn a_solid_that_is_not_hollow_shows_no_media() {
-    let media = Media { emission: Rgb::splat(0.4), ..medium() };
+    let media = Media { emission: Rgb::splat(0.4), ..Media::default() };
     let mut solid = filled(media);
     solid.hollow = Some(false);
     assert_eq!(seen(vec![solid]), 0.0);

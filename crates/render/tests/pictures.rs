@@ -49,8 +49,8 @@ fn metal_glass_and_a_glossy_floor_under_two_lights() {
     let mut scene = scene(
         view(CameraKind::Perspective, v(0.0, 1.0, -5.0), 1.333333333, 1.0),
         vec![
-            shine(point_light(v(-3.0, 5.0, -4.0), rgb(1.0, 1.0, 1.0))),
-            shine(point_light(v(4.0, 3.0, -2.0), rgb(0.4, 0.3, 0.2))),
+            shine(Light::new(v(-3.0, 5.0, -4.0), rgb(1.0, 1.0, 1.0))),
+            shine(Light::new(v(4.0, 3.0, -2.0), rgb(0.4, 0.3, 0.2))),
             plane(v(0.0, 1.0, 0.0), 0.0, texture(rgbft([0.8, 0.6, 0.4, 0.0, 0.0]), floor)),
             sphere(v(0.0, 1.0, 0.0), 1.0, texture(rgbft([1.0, 0.2, 0.1, 0.0, 0.0]), metal)),
             inside(glass, inside_glass),
@@ -74,7 +74,7 @@ fn metal_glass_and_a_glossy_floor_under_two_lights() {
 
 #[test]
 fn soft_shadows_of_a_fading_area_light_through_a_filter() {
-    let mut light = point_light(v(0.0, 4.0, 0.0), Rgb::ONE);
+    let mut light = Light::new(v(0.0, 4.0, 0.0), Rgb::ONE);
     (light.fade_distance, light.fade_power) = (4.0, 2.0);
     light.area = Some(AreaLight {
         axis1: v(2.0, 0.0, 0.0),
@@ -118,7 +118,7 @@ fn soft_shadows_of_a_fading_area_light_through_a_filter() {
 
 #[test]
 fn layers_with_energy_kept_in_fog() {
-    let mut light = point_light(v(0.0, 0.0, -100.0), Rgb::ONE);
+    let mut light = Light::new(v(0.0, 0.0, -100.0), Rgb::ONE);
     light.parallel = true;
     light.point_at = v(0.0, 0.0, 0.0);
     let diffuse = |ambient: f32, diffuse: f32| Finish {

@@ -7,27 +7,7 @@ use raggio_scene::*;
 use stage::*;
 
 fn settings() -> RadiositySettings {
-    RadiositySettings {
-        adc_bailout: 0.01,
-        always_sample: false,
-        brightness: 1.0,
-        count: 50,
-        count_pool: 1600,
-        error_bound: 1.8,
-        gray_threshold: 0.0,
-        low_error_factor: 0.5,
-        max_sample: -1.0,
-        maximum_reuse: 0.2,
-        minimum_reuse: 0.015,
-        media: false,
-        nearest_count: 5,
-        nearest_count_adaptive: 0,
-        normal: false,
-        pretrace_start: 0.08,
-        pretrace_end: 0.04,
-        recursion_limit: 1,
-        subsurface: false,
-    }
+    RadiositySettings { count: 50, recursion_limit: 1, ..RadiositySettings::default() }
 }
 
 fn matt(diffuse: f32) -> Finish {

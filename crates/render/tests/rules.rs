@@ -87,7 +87,7 @@ fn transparency_with_and_without_alpha() {
 
 /// A scene that uses random numbers in every way.
 fn noisy() -> Scene {
-    let mut light = point_light(v(3.0, 6.0, -4.0), Rgb::ONE);
+    let mut light = Light::new(v(3.0, 6.0, -4.0), Rgb::ONE);
     light.area = Some(AreaLight {
         axis1: v(2.0, 0.0, 0.0),
         axis2: v(0.0, 0.0, 2.0),

@@ -6,7 +6,7 @@ use stage::*;
 
 /// The mean colour of a half space seen and lit from above.
 fn half_space(diffuse_samples: u32, single_samples: u32) -> Rgb {
-    let mut sun = point_light(v(0.0, 100.0, 0.0), Rgb::splat(0.3));
+    let mut sun = Light::new(v(0.0, 100.0, 0.0), Rgb::splat(0.3));
     sun.parallel = true;
     sun.point_at = v(0.0, 0.0, 0.0);
     let finish = Finish {

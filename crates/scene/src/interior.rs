@@ -59,6 +59,28 @@ pub struct Media {
     pub collect: bool,
 }
 
+impl Default for Media {
+    /// As media begin since version 3.5.
+    fn default() -> Self {
+        Media {
+            method: 3,
+            intervals: 1,
+            samples: (10, 10),
+            confidence: 0.9,
+            variance: 1.0 / 128.0,
+            ratio: 0.9,
+            jitter: 0.0,
+            aa_level: 3,
+            aa_threshold: 0.1,
+            absorption: Rgb::ZERO,
+            emission: Rgb::ZERO,
+            scattering: None,
+            densities: Vec::new(),
+            collect: true,
+        }
+    }
+}
+
 /// `density { ... }`: a pigment whose default map is grey.
 #[derive(Clone, Debug)]
 pub struct Density(pub Arc<Pigment>);

@@ -24,6 +24,7 @@ mod interior;
 mod light;
 mod mesh;
 mod normal;
+mod nurbs;
 mod object;
 mod pattern;
 mod pigment;
@@ -38,6 +39,7 @@ pub use interior::{Density, Interior, Media, Scattering};
 pub use light::{AreaLight, Light, LightKind};
 pub use mesh::{FaceIndices, FaceTexture, Faces, Mesh, MeshFace};
 pub use normal::{Normal, NormalKind, NormalPattern};
+pub use nurbs::{Knots, Nurbs, Trim};
 pub use object::{Csg, Object, ObjectKind, PhotonFlags, Placed};
 pub use pattern::{
     CrackleSettings, DensityFile, FractalKind, FractalSettings, ImageMap, ImageSource, Interpolation,

@@ -76,6 +76,25 @@ pub struct AreaLight {
 }
 
 impl Light {
+    /// A point light without anything special.
+    pub fn new(location: Vec3, color: Rgb) -> Self {
+        Light {
+            location,
+            color,
+            kind: LightKind::Point,
+            point_at: Vec3::Z,
+            parallel: false,
+            fade_distance: 0.0,
+            fade_power: 0.0,
+            area: None,
+            media_interaction: true,
+            media_attenuation: false,
+            looks_like: None,
+            projected_through: None,
+            photons: PhotonFlags::default(),
+        }
+    }
+
     /// Moves the light and what belongs to it.
     pub fn transform(&mut self, t: &Affine) {
         self.location = t.transform_point3(self.location);

@@ -86,6 +86,32 @@ pub struct RadiositySettings {
     pub subsurface: bool,
 }
 
+impl Default for RadiositySettings {
+    fn default() -> Self {
+        RadiositySettings {
+            adc_bailout: 0.01,
+            always_sample: false,
+            brightness: 1.0,
+            count: 35,
+            count_pool: 1600,
+            error_bound: 1.8,
+            gray_threshold: 0.0,
+            low_error_factor: 0.5,
+            max_sample: -1.0,
+            maximum_reuse: 0.2,
+            minimum_reuse: 0.015,
+            media: false,
+            nearest_count: 5,
+            nearest_count_adaptive: 0,
+            normal: false,
+            pretrace_start: 0.08,
+            pretrace_end: 0.04,
+            recursion_limit: 2,
+            subsurface: false,
+        }
+    }
+}
+
 /// `photons { ... }` in the global settings. Meanings: manual 3.7, section 3.4.3.3 and the spec, section 2.
 #[derive(Clone, Debug)]
 #[allow(missing_docs)]
@@ -106,4 +132,26 @@ pub struct Photons {
     pub media_factor: f32,
     pub save_file: Option<String>,
     pub load_file: Option<String>,
+}
+
+impl Default for Photons {
+    fn default() -> Self {
+        Photons {
+            spacing: 1.0,
+            count: 0,
+            gather_min: 20,
+            gather_max: 100,
+            jitter: 0.4,
+            max_trace_level: None,
+            adc_bailout: None,
+            autostop: 0.5,
+            expand_increase: 0.2,
+            expand_min: 35,
+            radius: [-1.0, 1.0, -1.0, 1.0],
+            media_max_steps: 0,
+            media_factor: 1.0,
+            save_file: None,
+            load_file: None,
+        }
+    }
 }

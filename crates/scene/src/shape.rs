@@ -3,7 +3,7 @@ use std::sync::Arc;
 
 use raggio_math::{Affine, Vec2, Vec3};
 
-use crate::{Function, Mesh, Placed, Texture};
+use crate::{Function, Mesh, Nurbs, Placed, Texture};
 
 /// A shape. Degenerate input (zero radii, zero areas, negative counts) has been refused or mended by the front end as
 /// the language prescribes; what is here can be built.
@@ -110,6 +110,7 @@ pub enum Shape {
     },
     Isosurface(Box<Isosurface>),
     Parametric(Box<Parametric>),
+    Nurbs(Arc<Nurbs>),
 }
 
 /// How control points make a curve.

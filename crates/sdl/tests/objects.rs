@@ -252,3 +252,45 @@ fn an_isosurface_is_mended_where_its_numbers_make_no_sense() {
     assert_eq!((iso.accuracy, iso.max_trace, iso.open, iso.max_gradient), (0.001, 10, true, 1.1));
     assert!(run("isosurface { function { x } max_gradient 0 }").warned("bad-isosurface"));
 }
+
+#[test]
+fn a_spline_surface_keeps_its_numbers() {
+    let text = "nurbs_patch { u_degree 1 v_degree 2 v_knots { 0,0,0, 2,2,2 } points { 2, 3, 0, x, 2*x, y, x+y, 2*x+y }
+        weights { 1 1 1, 1 0.5 1 } trim { points { 3, 0, u, v } } translate 5*x }";
+    let shape = shape(text);
+    let Shape::Nurbs(nurbs) = &*shape else { panic!("{shape:?}") };
+    assert_eq!((nurbs.u.degree, &nurbs.u.knots[..]), (1, &[0., 0., 1., 1.][..]));
+    assert_eq!((nurbs.v.degree, nurbs.v.domain()), (2, (0., 2.)));
+    assert_eq!(nurbs.points[4], (Vec3::new(1., 1., 0.), 0.5));
+    assert_eq!((nurbs.trims.len(), nurbs.trims[0].points.len(), nurbs.trims[0].knots.degree), (1, 3, 1));
+    // Four by four without a word more is a bicubic patch, and its name can be declared.
+    let net = "points { 4, 4, 0,x,y,z, 0,x,y,z, 0,x,y,z, 0,x,y,z }";
+    object(&format!("#declare P = nurbs_patch {{ {net} }} object {{ P rotate y }}"));
+    assert_eq!(
+        debug("#declare nurbs_patch = 3; #declare trim = 4; #debug str(nurbs_patch + trim, 0, 0)"),
+        "7"
+    );
+    object(&format!("#declare points = 3; nurbs_patch {{ {net} }}"));
+}
+
+#[test]
+fn splines_that_do_not_fit_together_are_refused() {
+    let net = "points { 2, 2, 0, x, y, z } u_degree 1 v_degree 1";
+    for bad in [
+        "points { 2, 2, 0, x, y, z }",
+        "points { 2, 2, 0, x, y }",
+        "points { 2, 2, 0, x, y, z, 0 }",
+        &format!("{net} u_degree 0"),
+        &format!("{net} u_degree 10"),
+        &format!("{net} u_knots {{ 0, 0, 1 }}"),
+        &format!("{net} u_knots {{ 0, 1, 0.5, 2 }}"),
+        &format!("{net} u_knots {{ 0, 1, 1, 2 }}"),
+        &format!("{net} weights {{ 1, 1, 1 }}"),
+        &format!("{net} weights {{ 1, 1, 0, 1 }}"),
+        &format!("{net} trim {{ degree 2 points {{ 2, 0, u }} }}"),
+    ] {
+        assert_eq!(run(&format!("nurbs_patch {{ {bad} }}")).error(), "bad-nurbs", "{bad}");
+    }
+    assert_eq!(run("nurbs_patch { u_degree 2 }").error(), "expected");
+    assert_eq!(run("nurbs_patch { points { 2, 2, 1/0 } }").error(), "not-finite");
+}

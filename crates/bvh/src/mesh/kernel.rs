@@ -22,6 +22,7 @@ macro_rules! kernel {
                 near_origin: [__m256; 3],
                 far_origin: [__m256; 3],
                 inverse: [__m256; 3],
+                far_inverse: [__m256; 3],
                 /// Byte offsets of the rows of `Node::bounds` that are nearer and farther on each axis.
                 near: [usize; 3],
                 far: [usize; 3],
@@ -46,6 +47,11 @@ macro_rules! kernel {
                             _mm256_set1_ps(inverse[1]),
                             _mm256_set1_ps(inverse[2]),
                         ],
+                        far_inverse: [
+                            _mm256_set1_ps(inverse[0] * SLACK),
+                            _mm256_set1_ps(inverse[1] * SLACK),
+                            _mm256_set1_ps(inverse[2] * SLACK),
+                        ],
                         near: [32 * slab.near[0], 32 * slab.near[1], 32 * slab.near[2]],
                         far: [32 * slab.far[0], 32 * slab.far[1], 32 * slab.far[2]],
                         t_min: _mm256_set1_ps(t_min),
@@ -57,17 +63,18 @@ macro_rules! kernel {
                 #[target_feature(enable = $features)]
                 fn enter(&self, node: &Node, t_max: __m256) -> (u32, __m256) {
                     let base = node.bounds.as_ptr().cast::<u8>();
-                    let plane = |offset: usize, origin: __m256, axis: usize| {
+                    let plane = |offset: usize, origin: __m256, inverse: __m256| {
                         // SAFETY: offsets are rows 0..6 of `bounds`, 32 bytes each, in a structure aligned to 32.
                         let row = unsafe { _mm256_load_ps(base.add(offset).cast()) };
-                        _mm256_mul_ps(_mm256_sub_ps(row, origin), self.inverse[axis])
+                        _mm256_mul_ps(_mm256_sub_ps(row, origin), inverse)
                     };
-                    let near = |axis: usize| plane(self.near[axis], self.near_origin[axis], axis);
-                    let far = |axis: usize| plane(self.far[axis], self.far_origin[axis], axis);
+                    let near =
+                        |axis: usize| plane(self.near[axis], self.near_origin[axis], self.inverse[axis]);
+                    let far =
+                        |axis: usize| plane(self.far[axis], self.far_origin[axis], self.far_inverse[axis]);
                     let enter =
                         _mm256_max_ps(_mm256_max_ps(near(0), near(1)), _mm256_max_ps(near(2), self.t_min));
-                    let leave = _mm256_min_ps(_mm256_min_ps(far(0), far(1)), far(2));
-                    let leave = _mm256_min_ps(_mm256_mul_ps(leave, _mm256_set1_ps(SLACK)), t_max);
+                    let leave = _mm256_min_ps(_mm256_min_ps(far(0), far(1)), _mm256_min_ps(far(2), t_max));
                     (_mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LE_OQ>(enter, leave)) as u32, enter)
                 }
             }
@@ -173,22 +180,30 @@ macro_rules! kernel {
                 let mut top = 0usize;
                 let mut word = bvh.root;
                 loop {
-                    if word & LEAF != 0 {
-                        // SAFETY: leaf words are indices that the builder made.
-                        let block = unsafe { bvh.blocks.get_unchecked((word & !LEAF) as usize) };
-                        if single.hit(block, ray.t_max).0 != 0 {
-                            return true;
-                        }
-                    } else {
+                    while word & LEAF == 0 {
                         // SAFETY: child words are indices that the builder made.
                         let node = unsafe { bvh.nodes.get_unchecked(word as usize) };
                         let (mut mask, _) = boxes.enter(node, t_max);
+                        if mask == 0 {
+                            word = u32::MAX;
+                            break;
+                        }
+                        // SAFETY: a bit of eight is set.
+                        word = unsafe { *node.child.get_unchecked(mask.trailing_zeros() as usize) };
+                        mask &= mask - 1;
                         while mask != 0 {
                             let slot = mask.trailing_zeros() as usize & 7;
                             mask &= mask - 1;
                             // SAFETY: top stays under STACK by the builder's depth bound.
                             unsafe { stack.get_unchecked_mut(top).write(node.child[slot]) };
                             top += 1;
+                        }
+                    }
+                    if word != u32::MAX {
+                        // SAFETY: leaf words are indices that the builder made.
+                        let block = unsafe { bvh.blocks.get_unchecked((word & !LEAF) as usize) };
+                        if single.hit(block, ray.t_max).0 != 0 {
+                            return true;
                         }
                     }
                     if top == 0 {

@@ -51,9 +51,7 @@ macro_rules! leaf_tests {
                 let least = _mm_min_ps(_mm_min_ps(u, v), w);
                 let most = _mm_max_ps(_mm_max_ps(u, v), w);
                 let one_sided = _mm_or_ps(_mm_cmpge_ps(least, zero), _mm_cmple_ps(most, zero));
-                if _mm_movemask_ps(one_sided) == 0 {
-                    return (0, zero);
-                }
+                // No way out here: a branch that is often mistaken costs more than the rest.
                 let det = _mm_add_ps(_mm_add_ps(u, v), w);
                 let scaled = _mm_fmadd_ps(w, c.2, _mm_fmadd_ps(v, b.2, _mm_mul_ps(u, a.2)));
                 let t = _mm_div_ps(_mm_mul_ps(scaled, self.shear[2]), det);

@@ -19,13 +19,8 @@ impl Prepared {
     #[inline(always)]
     pub(crate) fn new(ray: &MeshRay) -> Prepared {
         let a = [ray.dir[0].abs(), ray.dir[1].abs(), ray.dir[2].abs()];
-        let kz = if a[0] > a[1] {
-            if a[0] > a[2] { 0 } else { 2 }
-        } else if a[1] > a[2] {
-            1
-        } else {
-            2
-        };
+        let kz = if a[0] > a[1] { 0 } else { 1 };
+        let kz = if a[2] >= a[0].max(a[1]) { 2 } else { kz };
         let (kx, ky) = ((kz + 1) % 3, (kz + 2) % 3);
         let inv_z = 1.0 / ray.dir[kz];
         Prepared {
@@ -52,9 +47,9 @@ fn child_entry(node: &Node, slot: usize, slab: &Slab, t_min: f32, t_max: f32) ->
     let (mut near, mut far) = (t_min, t_max);
     for axis in 0..3 {
         let a = (node.bounds[slab.near[axis]][slot] - slab.origin_near[axis]) * slab.inverse[axis];
-        let b = (node.bounds[slab.far[axis]][slot] - slab.origin_far[axis]) * slab.inverse[axis];
+        let b = (node.bounds[slab.far[axis]][slot] - slab.origin_far[axis]) * (slab.inverse[axis] * SLACK);
         near = near.max(a);
-        far = far.min(b * SLACK);
+        far = far.min(b);
     }
     (near <= far).then_some(near)
 }

@@ -12,6 +12,7 @@ mod isosurface;
 mod julia;
 mod lathe;
 mod mesh;
+mod nurbs;
 mod outline;
 mod ovus;
 mod parametric;
@@ -109,6 +110,7 @@ shape_kinds! {
     Julia(Box<julia::Julia>),
     Lathe(lathe::Lathe),
     Mesh(Box<MeshShape>),
+    Nurbs(Box<nurbs::NurbsPatch>),
     Ovus(ovus::Ovus),
     Parametric(Box<parametric::Parametric>),
     Plane(Plane),
@@ -167,6 +169,7 @@ pub(crate) fn build(shape: &Shape) -> Result<ShapeKind, BuildError> {
         }
         Shape::Text { glyphs, depth } => ShapeKind::Text(text::Text::new(glyphs, *depth)),
         Shape::Isosurface(iso) => isosurface(iso, &Affine::IDENTITY),
+        Shape::Nurbs(n) => ShapeKind::Nurbs(Box::new(nurbs::NurbsPatch::new(n))),
         Shape::Parametric(p) => ShapeKind::Parametric(Box::new(parametric::Parametric::new(p))),
     })
 }

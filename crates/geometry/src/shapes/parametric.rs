@@ -90,7 +90,7 @@ impl Surface for Parametric {
         let (enter, leave) = container::span(&self.container, ray)?;
         let least = (enter.max(0.0) + 4.0 * self.accuracy).max(range.0).max(LEAST);
         let mut hits = Hits::new();
-        self.tree.hits(ray, (least, leave.min(range.1)), true, &mut hits);
+        self.tree.hits(ray, (least, leave.min(range.1)), 0, true, &mut hits);
         hits.into_iter().min_by(|a, b| a.t.total_cmp(&b.t))
     }
 

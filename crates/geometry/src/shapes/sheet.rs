@@ -25,6 +25,8 @@ const MOST_STEPS: u32 = 20;
 /// How far outside its piece, in shares of the piece, a root may lie for rounding's sake.
 const EDGE: f64 = 1e-7;
 
+/// Hits nearer together than this are one, found from both sides of an edge.
+const SAME: f64 = 1e-9;
 /// How far outside its piece, in shares of the piece, a search may go.
 const MARGIN: f64 = 0.4;
 
@@ -36,6 +38,10 @@ pub(crate) trait Sheet: Send + Sync {
     fn enclose(&self, lo: Vec2, hi: Vec2) -> Enclosure;
     /// A root that cannot be found any nearer counts if the ray comes as near as this.
     fn tolerance(&self) -> f64;
+    /// Is the surface there at all, at these parameters?
+    fn keeps(&self, _uv: Vec2) -> bool {
+        true
+    }
 }
 
 /// Where a part of a surface is, and where its derivatives by u and v are.
@@ -49,6 +55,13 @@ pub(crate) struct Enclosure {
 pub(crate) struct SheetTree<S> {
     pub(crate) sheet: S,
     root: Piece,
+}
+
+impl<S> SheetTree<S> {
+    /// A box around the surface.
+    pub(crate) fn bounds(&self) -> Aabb {
+        self.root.bounds
+    }
 }
 
 struct Piece {
@@ -87,7 +100,7 @@ struct Aim {
     boxes: BoxRay,
 }
 
-/// A hit, before it is known whether another one is the same.
+/// The hits of one ray, without memory of their own.
 pub(crate) type Hits = SmallVec<[LocalHit; 4]>;
 
 impl<S: Sheet> SheetTree<S> {
@@ -98,8 +111,9 @@ impl<S: Sheet> SheetTree<S> {
     }
 
     /// Adds the hits within the range, in any order; only the nearest is sure to be there if that is all that is asked.
-    pub(crate) fn hits(&self, ray: &Ray, range: (f64, f64), nearest: bool, out: &mut Hits) {
-        let Some(unit) = ray.dir.try_normalize().filter(|_| ray.origin.is_finite()) else { return };
+    /// Answers with the end of the range that still matters.
+    pub(crate) fn hits(&self, ray: &Ray, range: (f64, f64), part: u32, nearest: bool, out: &mut Hits) -> f64 {
+        let Some(unit) = ray.dir.try_normalize().filter(|_| ray.origin.is_finite()) else { return range.1 };
         let aim = Aim {
             origin: ray.origin,
             dir: ray.dir,
@@ -116,8 +130,8 @@ impl<S: Sheet> SheetTree<S> {
             if piece.last || piece.smooth && piece.faces(&aim) {
                 match self.root_in(piece, &aim) {
                     Root::At(t, uv) => {
-                        if range.0 < t && t < far {
-                            add(LocalHit { t, part: 0, u: uv.x, v: uv.y }, out);
+                        if range.0 < t && t < far && self.sheet.keeps(uv) {
+                            add(LocalHit { t, part, u: uv.x, v: uv.y }, out);
                             far = if nearest { t } else { far };
                         }
                         continue;
@@ -133,6 +147,7 @@ impl<S: Sheet> SheetTree<S> {
             }
             waiting.extend(parts.into_iter().filter_map(|(p, entry)| Some((p, entry?))));
         }
+        far
     }
 
     fn halves(&self, piece: &Piece) -> [Piece; 2] {
@@ -193,11 +208,7 @@ impl<S: Sheet> SheetTree<S> {
 
 /// Adds a hit, unless a neighbouring piece has found it already.
 fn add(hit: LocalHit, out: &mut Hits) {
-    let same = |h: &LocalHit| {
-        let close = |a: f64, b: f64| (a - b).abs() <= 1e-8 * (1.0 + a.abs());
-        close(h.t, hit.t) && close(h.u, hit.u) && close(h.v, hit.v)
-    };
-    if !out.iter().any(same) {
+    if !out.iter().any(|h| (h.t - hit.t).abs() <= SAME * (1.0 + hit.t.abs())) {
         out.push(hit);
     }
 }

@@ -58,7 +58,8 @@ fn cross(points: &[Vec3; 3]) -> Vec3 {
 /// volume over each edge decides, so that two triangles with a common edge leave no gap; edges count.
 #[inline]
 pub(crate) fn meet(points: &[Vec3; 3], face_normal: Vec3, ray: &Ray) -> Option<(f64, f64, f64)> {
-    let [a, b, c] = points.map(|p| p - ray.origin);
+    // One by one: `map` over an array of vectors goes through memory.
+    let (a, b, c) = (points[0] - ray.origin, points[1] - ray.origin, points[2] - ray.origin);
     let u = ray.dir.dot(c.cross(b));
     let v = ray.dir.dot(a.cross(c));
     let w = ray.dir.dot(b.cross(a));

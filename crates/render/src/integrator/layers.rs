@@ -104,8 +104,10 @@ impl Tracer<'_> {
             _ => self.light_of_lights(point, finish, n, color.rgb, opacity),
         };
         let thrown = match &self.photons {
-            Some(_) => self.photon_light(point, finish, n, color.rgb, opacity, &mut stack.photons),
-            None => Rgb::ZERO,
+            Some(photons) if photons.on_surfaces() => {
+                self.photon_light(point, finish, n, color.rgb, opacity, &mut stack.photons)
+            }
+            _ => Rgb::ZERO,
         };
         stack.light += stack.filter * (tint * own + lit + thrown);
         if found.is_some() {

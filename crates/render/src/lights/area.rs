@@ -9,6 +9,9 @@ use crate::sampling::Stream;
 /// The most samples along an axis, so that their number stays countable.
 const MOST: u32 = 4096;
 
+/// The most samples of a light whose places are worked out before.
+const MOST_FIXED: u32 = 1 << 16;
+
 /// The samples of an area light.
 pub struct AreaGrid {
     axis1: Vec3,
@@ -23,6 +26,8 @@ pub struct AreaGrid {
     pub jitter: bool,
     circular: bool,
     orient: bool,
+    /// Where the grid's points lie from the light's centre, where that is always the same; rows along the first axis.
+    fixed: Vec<Vec3>,
     /// Does every sample light the surface by its own direction?
     pub illumination: bool,
     /// Do photons leave from all of it?
@@ -36,7 +41,7 @@ impl AreaGrid {
     pub fn new(area: &scene::AreaLight) -> AreaGrid {
         let (size1, size2) = (area.size1.clamp(1, MOST), area.size2.clamp(1, MOST));
         let adaptive = area.adaptive.unwrap_or(100);
-        AreaGrid {
+        let mut grid = AreaGrid {
             axis1: area.axis1,
             axis2: area.axis2,
             size1,
@@ -46,9 +51,16 @@ impl AreaGrid {
             jitter: area.jitter,
             circular: (area.circular || area.orient) && area.size1 > 1 && area.size2 > 1,
             orient: area.orient,
+            fixed: Vec::new(),
             illumination: area.area_illumination,
             photons: area.photons_area,
+        };
+        if !grid.jitter && !grid.orient && grid.size1 * grid.size2 <= MOST_FIXED {
+            let cells =
+                (0..grid.size2).flat_map(|v| (0..grid.size1).map(move |u| (f64::from(u), f64::from(v))));
+            grid.fixed = cells.map(|(u, v)| grid.place((grid.axis1, grid.axis2), u, v)).collect();
         }
+        grid
     }
 
     /// The grid's axes as seen from a point; `to_light` is the unit vector towards the light's centre.
@@ -88,11 +100,18 @@ impl AreaGrid {
 
     /// Where grid point (u, v) lies from the light's centre. Jitter draws u first.
     pub fn offset(&self, axes: (Vec3, Vec3), u: u32, v: u32, random: &mut Stream) -> Vec3 {
+        if let Some(offset) = self.fixed.get((v * self.size1 + u) as usize) {
+            return *offset;
+        }
         let (mut u, mut v) = (f64::from(u), f64::from(v));
         if self.jitter {
             u += random.next() - 0.5;
             v += random.next() - 0.5;
         }
+        self.place(axes, u, v)
+    }
+
+    fn place(&self, axes: (Vec3, Vec3), u: f64, v: f64) -> Vec3 {
         let place = |k: f64, n: u32| if n > 1 { k / f64::from(n - 1) - 0.5 } else { 0.0 };
         let (s, t) = (place(u, self.size1), place(v, self.size2));
         if !self.circular {

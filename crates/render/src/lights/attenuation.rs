@@ -148,21 +148,7 @@ mod tests {
     use super::*;
 
     pub(crate) fn light(kind: LightKind) -> scene::Light {
-        scene::Light {
-            location: Vec3::new(0.0, 10.0, 0.0),
-            color: Rgb::ONE,
-            kind,
-            point_at: Vec3::ZERO,
-            parallel: false,
-            fade_distance: 0.0,
-            fade_power: 0.0,
-            area: None,
-            media_interaction: true,
-            media_attenuation: false,
-            looks_like: None,
-            projected_through: None,
-            photons: Default::default(),
-        }
+        scene::Light { kind, point_at: Vec3::ZERO, ..scene::Light::new(Vec3::new(0.0, 10.0, 0.0), Rgb::ONE) }
     }
 
     fn at(light: &scene::Light, p: Vec3) -> f32 {

@@ -77,7 +77,7 @@ impl Tracer<'_> {
         standing: &Standing,
     ) -> Rgb {
         let world = self.world;
-        let replaced = collects && self.photons.is_some();
+        let replaced = collects && self.photons.as_ref().is_some_and(|photons| photons.on_surfaces());
         let stops =
             |hit: &Hit| world.stops_light(hit) || (replaced && world.photons_replace(hit, &source.photons));
         let mut ray = Ray::new(p, path.dir);

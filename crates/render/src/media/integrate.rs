@@ -1,6 +1,6 @@
 //! Sampling along a ray: intervals, the three methods, the sum (media spec, sections 1.4 and 1.5).
 use raggio_image::Rgb;
-use raggio_math::Ray;
+use raggio_math::{Ray, Vec3};
 use smallvec::SmallVec;
 
 use super::lit::{LitRanges, Range};
@@ -24,8 +24,8 @@ pub(super) struct Along<'a> {
 /// Part of a segment with the sums of its samples.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Interval {
-    start: f64,
-    length: f64,
+    pub(super) start: f64,
+    pub(super) length: f64,
     lit: bool,
     glow: Rgb,
     glow_squares: Rgb,
@@ -37,9 +37,9 @@ pub(super) type Intervals = SmallVec<[Interval; 8]>;
 
 /// What stuff does at a point: the light it sends, and how it dims.
 #[derive(Clone, Copy)]
-struct Sample {
+pub(super) struct Sample {
     glow: Rgb,
-    dim: Rgb,
+    pub(super) dim: Rgb,
 }
 
 /// Divides pieces into sampling intervals.
@@ -151,7 +151,7 @@ impl Tracer<'_> {
     }
 
     /// What all media together do at distance `t`.
-    fn medium_at(&mut self, along: &Along<'_>, t: f64, lit: bool) -> Sample {
+    pub(super) fn medium_at(&mut self, along: &Along<'_>, t: f64, lit: bool) -> Sample {
         let p = along.ray.at(t);
         let (mut glow, mut dim, mut scattered) = (Rgb::ZERO, Rgb::ZERO, Rgb::ZERO);
         for medium in &along.media {
@@ -162,7 +162,14 @@ impl Tracer<'_> {
                 scattered += medium.scattering.map_or(Rgb::ZERO, |s| density * s.color);
             }
         }
-        if !lit || scattered == Rgb::ZERO {
+        if scattered == Rgb::ZERO {
+            return Sample { glow, dim };
+        }
+        if let Some(photons) = &mut self.photons {
+            let phase = |toward: Vec3| mean_phase(&along.media, toward.dot(along.ray.dir));
+            glow += scattered * photons.in_media(p, phase);
+        }
+        if !lit {
             return Sample { glow, dim };
         }
         for &(light, range) in &along.lights {

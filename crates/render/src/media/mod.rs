@@ -1,5 +1,6 @@
 //! Participating media: what the way through glowing, dimming and scattering stuff adds and takes (media spec,
 //! section 1).
+mod flight;
 mod integrate;
 mod lit;
 mod phase;
@@ -12,6 +13,7 @@ use smallvec::SmallVec;
 
 use crate::integrator::{Beam, Interiors, Seen, Tracer};
 use crate::sampling::chi_square_quantile;
+pub use flight::Steps;
 use integrate::{Along, intervals};
 use lit::{Range, pieces, ranges};
 
@@ -93,6 +95,11 @@ impl Medium {
             collect: media.collect,
             sampling: Sampling::new(media),
         }
+    }
+
+    /// Does it dim or scatter light?
+    fn matters(&self) -> bool {
+        self.scattering.is_some() || self.extinction != Rgb::ZERO
     }
 
     /// The density at a point of the world.

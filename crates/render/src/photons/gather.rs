@@ -5,13 +5,14 @@ use raggio_image::Rgb;
 use raggio_math::Vec3;
 use raggio_scene::Finish;
 
+use super::Maps;
 use super::map::{Nearest, PhotonMap};
 use crate::integrator::Tracer;
 use crate::integrator::surface::SurfacePoint;
 
 /// What a tracer keeps for photons.
 pub struct State<'w> {
-    map: &'w PhotonMap,
+    maps: &'w Maps,
     gather_min: usize,
     gather_max: usize,
     expand_increase: f64,
@@ -22,11 +23,11 @@ pub struct State<'w> {
 }
 
 impl<'w> State<'w> {
-    /// For a map and a plan's numbers.
-    pub fn new(map: &'w PhotonMap, plan: &super::Plan) -> Self {
+    /// For maps and a plan's numbers.
+    pub fn new(maps: &'w Maps, plan: &super::Plan) -> Self {
         let settings = &plan.settings;
         State {
-            map,
+            maps,
             gather_min: settings.gather_min as usize,
             gather_max: settings.gather_max as usize,
             expand_increase: settings.expand_increase.into(),
@@ -36,10 +37,27 @@ impl<'w> State<'w> {
         }
     }
 
-    /// Finds the photons around a point of a surface; gives the radius that they fill.
-    fn gather(&mut self, p: Vec3, n: Vec3) -> f64 {
-        let asked = self.map.radius;
-        self.map.search(p, asked, self.gather_max, Some(n), &mut self.nearest);
+    /// Do photons fall on surfaces?
+    pub fn on_surfaces(&self) -> bool {
+        !self.maps.surface.is_empty()
+    }
+
+    /// The light that photons bring to a point of a medium, each weighed by where it comes from.
+    pub fn in_media(&mut self, p: Vec3, weight: impl Fn(Vec3) -> f32) -> Rgb {
+        let map = &self.maps.media;
+        if map.is_empty() {
+            return Rgb::ZERO;
+        }
+        let radius = self.gather(map, p, None);
+        let photons = self.nearest.found.iter().map(|&(_, number)| map.photon(number));
+        let sum: Rgb = photons.map(|photon| photon.power * weight(photon.toward)).sum();
+        if radius > 0.0 { sum * (0.75 / (PI * radius.powi(3))) as f32 } else { Rgb::ZERO }
+    }
+
+    /// Finds the photons around a point, of a surface if it has a normal; gives the radius that they fill.
+    fn gather(&mut self, map: &PhotonMap, p: Vec3, n: Option<Vec3>) -> f64 {
+        let asked = map.radius;
+        map.search(p, asked, self.gather_max, n, &mut self.nearest);
         let first = self.nearest.radius(asked);
         let count = self.nearest.found.len();
         if count >= self.gather_min {
@@ -47,7 +65,7 @@ impl<'w> State<'w> {
         }
         std::mem::swap(&mut self.nearest, &mut self.first);
         let density = (count as f64 / (first * first)).max(1e-16);
-        self.map.search(p, 3.0 * asked, self.gather_max, Some(n), &mut self.nearest);
+        map.search(p, 3.0 * asked, self.gather_max, n, &mut self.nearest);
         let second = self.nearest.radius(3.0 * asked);
         let wider = self.nearest.found.len();
         let grown = (wider as f64 / (second * second) - density) / density;
@@ -75,10 +93,11 @@ impl Tracer<'_> {
             return Rgb::ZERO;
         }
         let Some(mut state) = self.photons.take() else { return Rgb::ZERO };
-        let radius = *known.get_or_insert_with(|| state.gather(point.surface.p, n));
+        let map = &state.maps.surface;
+        let radius = *known.get_or_insert_with(|| state.gather(map, point.surface.p, Some(n)));
         let mut sum = Rgb::ZERO;
         for &(_, number) in &state.nearest.found {
-            let photon = state.map.photon(number);
+            let photon = map.photon(number);
             let slant = point.n.dot(photon.toward).clamp(0.1, 1.0);
             let light = photon.power / slant as f32;
             sum += self.lit_from(point, finish, n, (rgb, opacity), photon.toward, light);

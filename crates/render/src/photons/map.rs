@@ -12,8 +12,11 @@ use super::Photon;
 #[derive(Default)]
 pub struct PhotonMap {
     photons: Vec<Photon>,
-    /// What the search reads of each.
+    /// Where each is, and how it splits its range.
     nodes: Vec<Node>,
+    /// Boxes around ranges of at least [`BOXED`] photons, at a quarter of their middle: the middles of two such ranges
+    /// are at least four apart.
+    boxes: Vec<Bounds>,
     /// The radius of a gather.
     pub radius: f64,
 }
@@ -23,8 +26,12 @@ pub struct PhotonMap {
 struct Node {
     p: [f32; 3],
     /// The axis by which it splits its range.
-    axis: u8,
-    /// The box around its range.
+    axis: u32,
+}
+
+/// A box around photons.
+#[derive(Clone, Copy, Default)]
+struct Bounds {
     low: [f32; 3],
     high: [f32; 3],
 }
@@ -80,21 +87,30 @@ fn coarse_direction(w: Vec3) -> Vec3 {
 impl PhotonMap {
     /// A map of photons in the order in which they were stored.
     pub fn new(photons: Vec<Photon>) -> PhotonMap {
-        let mut map = PhotonMap { nodes: vec![Node::default(); photons.len()], photons, radius: 0.0 };
+        let count = photons.len();
+        let mut map = PhotonMap {
+            nodes: vec![Node::default(); count],
+            boxes: vec![Bounds::default(); count / 4 + 1],
+            photons,
+            radius: 0.0,
+        };
         let mut ranges = Vec::new();
         if !map.photons.is_empty() {
             ranges.push((0, map.photons.len() - 1));
         }
         while let Some((s, e)) = ranges.pop() {
-            let (low, high) = map.bounds(s, e);
-            let size = |k: usize| high[k] - low[k];
+            let bounds = map.bounds(s, e);
+            let size = |k: usize| bounds.high[k] - bounds.low[k];
             let axis = (1..3).fold(0, |best, k| if size(k) > size(best) { k } else { best });
             let mid = (s + e) / 2;
             // Two are left as they are, which is why some photons are never found.
             if e - s >= 2 {
                 map.select(s, e, mid, axis);
             }
-            map.nodes[mid] = Node { p: map.photons[mid].p, axis: axis as u8, low, high };
+            map.nodes[mid] = Node { p: map.photons[mid].p, axis: axis as u32 };
+            if e - s + 1 >= BOXED {
+                map.boxes[mid / 4] = bounds;
+            }
             if mid > s {
                 ranges.push((s, mid - 1));
             }
@@ -120,7 +136,7 @@ impl PhotonMap {
         &self.photons[number as usize]
     }
 
-    fn bounds(&self, s: usize, e: usize) -> ([f32; 3], [f32; 3]) {
+    fn bounds(&self, s: usize, e: usize) -> Bounds {
         let (mut min, mut max) = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
         for photon in &self.photons[s..=e] {
             for k in 0..3 {
@@ -128,7 +144,7 @@ impl PhotonMap {
                 max[k] = max[k].max(photon.p[k]);
             }
         }
-        (min, max)
+        Bounds { low: min, high: max }
     }
 
     /// Moves the photon that belongs at `mid` there, lesser ones before it (Hoare's selection with the pivot of three).
@@ -187,11 +203,11 @@ impl PhotonMap {
             return;
         }
         let mid = (s + e - 1) / 2;
-        let node = &self.nodes[mid];
-        if e - s >= BOXED && node.distance_squared(p) >= nearest.limit {
+        if e - s >= BOXED && self.boxes[mid / 4].distance_squared(p) >= nearest.limit {
             return;
         }
-        let axis = usize::from(node.axis) % 3;
+        let node = &self.nodes[mid];
+        let axis = node.axis as usize % 3;
         let offset = p[axis] - f64::from(node.p[axis]);
         let square = offset * offset;
         if square <= nearest.limit {
@@ -218,7 +234,9 @@ impl Node {
     fn at(&self) -> Vec3 {
         Vec3::new(self.p[0].into(), self.p[1].into(), self.p[2].into())
     }
+}
 
+impl Bounds {
     /// The squared distance from the box.
     fn distance_squared(&self, p: Vec3) -> f64 {
         let away = |k: usize| {
@@ -266,7 +284,8 @@ impl Nearest {
         let mut at = i;
         while 2 * at + 2 < heap.len() {
             let (a, b) = (2 * at + 1, 2 * at + 2);
-            let child = if heap[b].0 > heap[a].0 { b } else { a };
+            // Not a branch: which is bigger cannot be guessed.
+            let child = a + usize::from(heap[b].0 > heap[a].0);
             heap[at] = heap[child];
             at = child;
         }

@@ -16,7 +16,7 @@ use raggio_math::{Aabb, Affine, Ray, Vec3};
 use raggio_scene::{self as scene, Object, ObjectKind, PhotonFlags, Scene};
 
 pub use gather::State;
-pub use map::PhotonMap;
+use map::PhotonMap;
 pub use shoot::shoot;
 
 /// What photons are shot at, and how.
@@ -48,11 +48,6 @@ impl Plan {
             find_targets(object, &Affine::IDENTITY, i as u32, &mut targets)?;
         }
         Ok((!targets.is_empty()).then(|| Plan { settings: settings.clone(), targets }))
-    }
-
-    /// The steps of photons in media; not built yet.
-    pub fn in_media(scene: &Scene) -> bool {
-        scene.settings.photons.as_ref().is_some_and(|p| p.media_max_steps > 0)
     }
 }
 
@@ -98,6 +93,22 @@ fn allowed(object: Option<bool>, light: Option<bool>) -> bool {
 /// Does such an object stop ordinary light, because photons bring what it lets through?
 pub fn replaces_light(object: &PhotonFlags, light: &PhotonFlags) -> bool {
     object.target.is_some() && allowed(object.refraction, light.refraction)
+}
+
+/// The photons of a scene.
+#[derive(Default)]
+pub struct Maps {
+    /// On surfaces.
+    surface: PhotonMap,
+    /// In media.
+    media: PhotonMap,
+}
+
+impl Maps {
+    /// Is there nothing?
+    pub fn is_empty(&self) -> bool {
+        self.surface.is_empty() && self.media.is_empty()
+    }
 }
 
 /// A photon that was stored.

@@ -10,7 +10,7 @@ use rayon::prelude::*;
 
 use super::map::{Nearest, PhotonMap};
 use super::travel::{Flight, Landed};
-use super::{Plan, Target, allowed};
+use super::{Maps, Plan, Target, allowed};
 use crate::api::Options;
 use crate::integrator::{Beam, Interiors, Quality, Tracer};
 use crate::lights::LightSource;
@@ -31,6 +31,29 @@ pub(super) struct Pair<'a> {
     /// Step and end of the rings: angles, or lengths for parallel lights.
     step: f64,
     end: f64,
+    /// How photons stay in media; `None` where they do not.
+    pub media: Option<Spread>,
+}
+
+/// How photons stay in media.
+#[derive(Clone, Copy)]
+pub(super) struct Spread {
+    /// The most in an interval.
+    pub most: u32,
+    /// How much farther apart they are than on surfaces.
+    pub factor: f64,
+    pub jitter: f64,
+}
+
+impl Spread {
+    fn new(plan: &Plan) -> Option<Spread> {
+        let settings = &plan.settings;
+        (settings.media_max_steps > 0).then(|| Spread {
+            most: settings.media_max_steps,
+            factor: settings.media_factor.into(),
+            jitter: settings.jitter.into(),
+        })
+    }
 }
 
 /// A ring: its angle, and where its random numbers start.
@@ -41,10 +64,10 @@ struct Ring {
 }
 
 /// Shoots all photons of a scene, in the pool of the thread that calls.
-pub fn shoot(world: &World, options: &Options, stack: usize, cancel: &AtomicBool) -> PhotonMap {
+pub fn shoot(world: &World, options: &Options, stack: usize, cancel: &AtomicBool) -> Maps {
     let quality = Quality::new(options.quality);
     let Some(plan) = world.photons.as_ref().filter(|_| quality.global_light()) else {
-        return PhotonMap::default();
+        return Maps::default();
     };
     let lights = world.light_sets.global().iter().map(|&i| &world.lights[i as usize]);
     let lights: Vec<&LightSource> = lights.filter(|l| !l.shadowless).collect();
@@ -53,17 +76,24 @@ pub fn shoot(world: &World, options: &Options, stack: usize, cancel: &AtomicBool
     let bailout = plan.settings.adc_bailout.unwrap_or(world.rules.bailout);
     let shooter = Shooter { world, quality, level, bailout, stack, jitter: plan.settings.jitter.into() };
     let mut random = Stream::default();
-    let mut photons = Vec::new();
+    let (mut photons, mut in_media) = (Vec::new(), Vec::new());
     for light in &lights {
         for target in &plan.targets {
-            if let Some(pair) = Pair::new(light, target, spacing) {
-                shooter.pair(&pair, plan.settings.autostop.into(), &mut random, &mut photons, cancel);
+            if let Some(pair) = Pair::new(light, target, spacing, Spread::new(plan)) {
+                shooter.pair(
+                    &pair,
+                    plan.settings.autostop.into(),
+                    &mut random,
+                    (&mut photons, &mut in_media),
+                    cancel,
+                );
             }
         }
     }
-    let mut map = PhotonMap::new(photons);
-    map.radius = radius(&map, plan);
-    map
+    let (mut surface, mut media) = (PhotonMap::new(photons), PhotonMap::new(in_media));
+    surface.radius = radius(&surface, plan, Room::Surface);
+    media.radius = radius(&media, plan, Room::Space);
+    Maps { surface, media }
 }
 
 /// The distance of photons at distance 1 of a density of 1, by `spacing` or from `count`.
@@ -102,7 +132,7 @@ fn effects(light: &LightSource, target: &Target) -> (bool, bool) {
 }
 
 impl<'a> Pair<'a> {
-    fn new(light: &'a LightSource, target: &'a Target, spacing: f64) -> Option<Self> {
+    fn new(light: &'a LightSource, target: &'a Target, spacing: f64, media: Option<Spread>) -> Option<Self> {
         if effects(light, target) == (false, false) {
             return None;
         }
@@ -119,11 +149,11 @@ impl<'a> Pair<'a> {
         } else {
             (spread.atan(), if distance >= reach { (reach / distance).asin() } else { PI })
         };
-        (step > 0.0).then_some(Pair { light, target, centre, spread, step, end })
+        (step > 0.0).then_some(Pair { light, target, centre, spread, step, end, media })
     }
 
     /// How far apart photons are after a way.
-    fn distance_at(&self, way: f64) -> f64 {
+    pub fn distance_at(&self, way: f64) -> f64 {
         if self.light.parallel { self.spread } else { self.spread * way }
     }
 
@@ -193,7 +223,7 @@ impl Shooter<'_> {
         pair: &Pair<'_>,
         autostop: f64,
         random: &mut Stream,
-        photons: &mut Vec<super::Photon>,
+        (photons, in_media): (&mut Vec<super::Photon>, &mut Vec<super::Photon>),
         cancel: &AtomicBool,
     ) {
         let mut theta = 0.0;
@@ -210,6 +240,7 @@ impl Shooter<'_> {
             for (ring, landed) in rings.iter().zip(shot) {
                 touched |= landed.touched;
                 photons.extend(landed.photons);
+                in_media.extend(landed.in_media);
                 if touched && !landed.touched && ring.theta > autostop * pair.end {
                     return;
                 }
@@ -295,9 +326,38 @@ impl LightSource {
     }
 }
 
+/// Where photons lie, which decides on what their density is.
+#[derive(Clone, Copy, PartialEq)]
+enum Room {
+    Surface,
+    Space,
+}
+
+impl Room {
+    /// The part of the room within a radius.
+    fn within(self, radius: f64) -> f64 {
+        match self {
+            Room::Surface => PI * radius * radius,
+            Room::Space => 4.0 / 3.0 * PI * radius.powi(3),
+        }
+    }
+
+    /// The radius of so much room.
+    fn radius(self, room: f64) -> f64 {
+        match self {
+            Room::Surface => (room / PI).sqrt(),
+            Room::Space => (0.75 * room / PI).cbrt(),
+        }
+    }
+}
+
 /// The radius of gathers: as given, or from how dense photons lie around some of them.
-fn radius(map: &PhotonMap, plan: &Plan) -> f64 {
-    let [given, factor, ..] = plan.settings.radius.map(f64::from);
+fn radius(map: &PhotonMap, plan: &Plan, room: Room) -> f64 {
+    let [surface, surface_factor, media, media_factor] = plan.settings.radius.map(f64::from);
+    let (given, factor) = match room {
+        Room::Surface => (surface, surface_factor),
+        Room::Space => (media, media_factor),
+    };
     if given > 0.0 || map.is_empty() {
         return given.max(0.0) * factor;
     }
@@ -309,17 +369,16 @@ fn radius(map: &PhotonMap, plan: &Plan) -> f64 {
         let photon = map.photon((i * stride) as u32);
         let p = Vec3::new(photon.p[0].into(), photon.p[1].into(), photon.p[2].into());
         map.search(p, radius, max, None, &mut nearest);
-        let farthest = nearest.found.iter().map(|f| f.0).fold(0.0, f64::max);
-        let area = PI * if radius.is_finite() { nearest.radius(radius).powi(2) } else { farthest };
-        nearest.found.len() as f64 / area.max(1e-30)
+        nearest.found.len() as f64 / room.within(nearest.radius(radius)).max(1e-30)
     };
-    // Squares of far distances must stay finite.
+    // The cube of far distances must stay finite.
     let mean = (0..samples).map(|i| density(i, 1e100)).sum::<f64>() / samples as f64;
-    let first = (max as f64 / (PI * mean)).sqrt();
+    let first = room.radius(max as f64 / mean);
     let thin = |&i: &usize| {
         let here = density(i, first);
         here > 0.05 * mean && here < 0.7 * mean
     };
     let share = (0..samples).filter(thin).count() as f64 / samples as f64;
-    first * (1.0 + 20.0 * share) * factor
+    let wider = if room == Room::Space { 2.0 } else { 1.0 };
+    first * (1.0 + 20.0 * share) * factor * wider
 }

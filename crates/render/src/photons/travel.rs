@@ -4,11 +4,12 @@ use raggio_math::{MIN_HIT, Vec3};
 use raggio_shading::{Context, Layer};
 use smallvec::SmallVec;
 
-use super::shoot::Pair;
+use super::shoot::{Pair, Spread};
 use super::{Photon, allowed};
 use crate::integrator::reflection::{Mirror, reflected};
 use crate::integrator::surface::SurfacePoint;
 use crate::integrator::{Beam, NormalPath, Tracer, fade, for_each_plain, placed, toggle};
+use crate::media::Steps;
 
 /// A photon under way.
 pub(super) struct Flight<'a> {
@@ -32,6 +33,8 @@ impl<'a> Flight<'a> {
 #[derive(Default)]
 pub(super) struct Landed {
     pub photons: Vec<Photon>,
+    /// Those that stayed in media.
+    pub in_media: Vec<Photon>,
     /// Did any meet the target?
     pub touched: bool,
 }
@@ -66,7 +69,10 @@ impl Tracer<'_> {
         }
         let mut power = flight.power;
         if !beam.interiors.is_empty() {
-            power *= self.media_filter(&beam.interiors, &beam.ray, hit.t);
+            power = match flight.pair.media.filter(|_| self.level > 0 && !flight.straight) {
+                Some(media) => self.stay(flight, media, hit.t, world.light_sets.of(material), landed),
+                None => power * self.media_filter(&beam.interiors, &beam.ray, hit.t),
+            };
         }
         let interior = &world.interior(material.interior).interior;
         if interior.fade_power > 0.0 && beam.interiors.contains(&material.interior) {
@@ -89,6 +95,25 @@ impl Tracer<'_> {
         let next = Flight { pair: flight.pair, beam: beam.clone(), power, way, straight: false };
         self.at_surface(&next, &point, before_target && !target, landed);
         self.level -= 1;
+    }
+
+    /// Leaves photons in the media of a segment; gives what is left of the power.
+    fn stay(
+        &mut self,
+        flight: &Flight<'_>,
+        media: Spread,
+        depth: f64,
+        lights: &[u32],
+        landed: &mut Landed,
+    ) -> Rgb {
+        let (pair, beam) = (flight.pair, &flight.beam);
+        let spacing = pair.distance_at(flight.way) * media.factor;
+        let steps = Steps { spacing, most: media.most, jitter: media.jitter };
+        self.media_photons(beam, depth, lights, &steps, flight.power, &mut |t, power, stretch| {
+            let way = flight.way + t;
+            let longer = media.factor * stretch * pair.distance_at(way);
+            landed.in_media.push(pair.landing(beam.ray.at(t), power * longer as f32, way, -beam.ray.dir));
+        })
     }
 
     /// Does at a surface what all its textures do, each with its share.

@@ -57,7 +57,7 @@ impl Cache {
     /// Adds to `found` what counts at a point.
     pub fn look_up(&self, depth: u32, query: &Query, found: &mut Found) {
         let Some(tree) = self.trees.get(depth as usize) else { return };
-        tree.visit(query.p, &mut |sample| {
+        tree.visit(query.p, query.error, &mut |sample| {
             let weight = sample.weight(query);
             if weight > 1e-3 {
                 let weight = weight as f32 * sample.quality;
@@ -77,7 +77,9 @@ impl Cache {
     /// Takes over all samples of another cache.
     pub fn absorb(&mut self, other: Cache) {
         for (tree, other) in self.trees.iter_mut().zip(other.trees) {
-            for (sample, radius) in other.nodes.into_iter().flat_map(|node| node.samples) {
+            for (sample, radius) in
+                other.nodes.into_iter().flat_map(|node| node.samples.into_iter().zip(node.radii))
+            {
                 tree.insert(sample, radius);
             }
         }
@@ -141,8 +143,11 @@ struct Node {
     children: [u32; 8],
     /// Which of them there are, a bit each.
     present: u8,
-    /// Each with the radius in which it counts.
-    samples: Vec<(Sample, f64)>,
+    samples: Vec<Sample>,
+    /// By sample: where from the middle, and the mean distance. Most samples fail by these alone.
+    places: Vec<[f32; 4]>,
+    /// By sample: the radius in which it counts.
+    radii: Vec<f64>,
 }
 
 /// No child.
@@ -156,7 +161,38 @@ impl Node {
     fn new(level: i32, index: [i64; 3]) -> Node {
         let side = 2f64.powi(level);
         let centre = Vec3::from_array(index.map(|i| (i as f64 + 0.5) * side));
-        Node { centre, side, level, index, children: [NONE; 8], present: 0, samples: Vec::new() }
+        Node {
+            centre,
+            side,
+            level,
+            index,
+            children: [NONE; 8],
+            present: 0,
+            samples: Vec::new(),
+            places: Vec::new(),
+            radii: Vec::new(),
+        }
+    }
+
+    fn push(&mut self, sample: Sample, radius: f64) {
+        let place = (sample.p + SHIFT - self.centre).as_vec3();
+        self.places.push([place.x, place.y, place.z, sample.mean_distance as f32]);
+        self.samples.push(sample);
+        self.radii.push(radius);
+    }
+
+    /// Visits the samples that may count at a point by their distance.
+    #[inline]
+    fn visit(&self, p: Vec3, error: f64, each: &mut impl FnMut(&Sample)) {
+        let ([x, y, z], error) = ((p - self.centre).as_vec3().to_array(), error as f32);
+        // Rounding is far below a thousandth of the cell, in which everything lies.
+        let slack = 1e-3 * self.side as f32;
+        for (sample, place) in self.samples.iter().zip(&self.places) {
+            let (dx, dy, dz, reach) = (place[0] - x, place[1] - y, place[2] - z, place[3] * error + slack);
+            if dx * dx + dy * dy + dz * dz < reach * reach {
+                each(sample);
+            }
+        }
     }
 
     fn adopt(&mut self, slot: usize, child: u32) {
@@ -191,7 +227,7 @@ impl Octree {
         while self.nodes[node as usize].level > level {
             node = self.child_at(node, p);
         }
-        self.nodes[node as usize].samples.push((sample, radius));
+        self.nodes[node as usize].push(sample, radius);
     }
 
     /// Makes the root hold the point's cell of that level.
@@ -228,7 +264,7 @@ impl Octree {
     }
 
     /// Visits every sample whose cell may reach the point.
-    fn visit(&self, p: Vec3, each: &mut impl FnMut(&Sample)) {
+    fn visit(&self, p: Vec3, error: f64, each: &mut impl FnMut(&Sample)) {
         if self.nodes.is_empty() {
             return;
         }
@@ -236,7 +272,7 @@ impl Octree {
         let mut stack: smallvec::SmallVec<[u32; 64]> = smallvec::smallvec![self.root];
         while let Some(top) = stack.pop() {
             let node = &self.nodes[top as usize];
-            node.samples.iter().for_each(|(sample, _)| each(sample));
+            node.visit(p, error, each);
             let mut reaching = node.present & node.reaching(p);
             while reaching != 0 {
                 stack.push(node.children[reaching.trailing_zeros() as usize]);
@@ -278,13 +314,13 @@ mod tests {
         for _ in 0..300 {
             let p = Vec3::new(random(), random(), random()) * 100.0;
             let radius = 0.01 + random().abs() * 10.0;
-            tree.insert(sample(p), radius);
+            tree.insert(Sample { mean_distance: radius / 5.0, ..sample(p) }, radius);
             all.push((p, radius));
         }
         for _ in 0..300 {
             let p = Vec3::new(random(), random(), random()) * 100.0;
             let mut found = Vec::new();
-            tree.visit(p, &mut |s| found.push(s.p));
+            tree.visit(p, 5.0, &mut |s| found.push(s.p));
             for (q, radius) in &all {
                 assert!((*q - p).length() > *radius || found.contains(q));
             }

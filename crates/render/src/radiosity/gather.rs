@@ -138,10 +138,15 @@ impl Tracer<'_> {
         let cursor = &mut state.cursors[depth as usize];
         let k = *cursor;
         *cursor = (k + 1) % state.rules.settings.count_pool.max(1);
-        let (radius, angle) = (halton(2, k + 1), TAU * halton(3, k + 1));
-        let flat = radius.sqrt();
-        Vec3::new(flat * angle.cos(), (1.0 - radius).sqrt(), flat * angle.sin())
+        state.rules.directions.get(k as usize).copied().unwrap_or_else(|| direction(k))
     }
+}
+
+/// Direction number `k` about the y axis, by Halton's sequence.
+pub(super) fn direction(k: u32) -> Vec3 {
+    let (radius, angle) = (halton(2, k + 1), TAU * halton(3, k + 1));
+    let flat = radius.sqrt();
+    Vec3::new(flat * angle.cos(), (1.0 - radius).sqrt(), flat * angle.sin())
 }
 
 impl State<'_> {

@@ -25,12 +25,19 @@ pub struct Rules {
     default_importance: f32,
     /// Has any object less importance than another?
     uneven: bool,
+    /// The first directions of gathers, all of them as a rule.
+    directions: Vec<Vec3>,
 }
+
+/// The most directions that are worked out before.
+const MOST_DIRECTIONS: u32 = 1 << 16;
 
 impl Rules {
     /// Works out a scene's rules.
     pub fn new(settings: &RadiositySettings, eye: Vec3, default_importance: f32, uneven: bool) -> Rules {
-        Rules { settings: *settings, eye, default_importance, uneven }
+        let known = settings.count_pool.clamp(1, MOST_DIRECTIONS);
+        let directions = (0..known).map(gather::direction).collect();
+        Rules { settings: *settings, eye, default_importance, uneven, directions }
     }
 
     fn limit(&self) -> u32 {

@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use super::{Cache, State};
 use crate::api::Options;
 use crate::film::Tile;
-use crate::photons::PhotonMap;
+use crate::photons;
 use crate::sampler::Sampler;
 use crate::world::World;
 
@@ -16,7 +16,7 @@ use crate::world::World;
 pub fn pretrace(
     world: &World,
     options: &Options,
-    photons: &PhotonMap,
+    photons: &photons::Maps,
     tiles: &[Tile],
     stack: usize,
     cancel: &AtomicBool,

@@ -116,7 +116,7 @@ impl Channel {
         let real = 1.0 / self.extinction;
         let mirrored = real * (1.0 + 4.0 / 3.0 * internal);
         let term = |z: f64| {
-            let d = z.hypot(distance);
+            let d = (z * z + distance * distance).sqrt();
             z * (self.effective + 1.0 / d) * (-self.effective * d).exp() / (d * d)
         };
         self.albedo / (4.0 * PI) * (term(real) + term(mirrored))

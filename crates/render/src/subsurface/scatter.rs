@@ -1,6 +1,7 @@
 //! Where light enters: places around a point for light that is scattered often, and along the refracted ray for light
 //! that is scattered once (subsurface spec, sections 4.3 to 4.6).
 use std::f64::consts::{PI, TAU};
+use std::sync::LazyLock;
 
 use raggio_geometry::RayClass;
 use raggio_image::Rgb;
@@ -151,10 +152,20 @@ impl Tracer<'_> {
 
     /// Directions spread evenly over the sphere, one after the other.
     fn next_sphere_direction(&mut self) -> Vec3 {
-        self.streams.scatter = (self.streams.scatter + 1) % 32767;
-        let k = self.streams.scatter + 1;
+        self.streams.scatter = (self.streams.scatter + 1) % CYCLE;
+        DIRECTIONS[self.streams.scatter as usize]
+    }
+}
+
+/// After so many the directions start again.
+const CYCLE: u32 = 32767;
+
+/// Directions spread evenly over the sphere, by Halton's sequence.
+static DIRECTIONS: LazyLock<Vec<Vec3>> = LazyLock::new(|| {
+    let direction = |k: u32| {
         let (x, angle) = (2.0 * halton(2, k) - 1.0, TAU * halton(3, k));
         let flat = (1.0 - x * x).max(0.0).sqrt();
         Vec3::new(x, flat * angle.cos(), flat * angle.sin())
-    }
-}
+    };
+    (1..=CYCLE).map(direction).collect()
+});

@@ -59,24 +59,6 @@ pub fn inside(mut object: Object, interior: Interior) -> Object {
     object
 }
 
-pub fn point_light(location: Vec3, color: Rgb) -> Light {
-    Light {
-        location,
-        color,
-        kind: LightKind::Point,
-        point_at: Vec3::Z,
-        parallel: false,
-        fade_distance: 0.0,
-        fade_power: 0.0,
-        area: None,
-        media_interaction: true,
-        media_attenuation: false,
-        looks_like: None,
-        projected_through: None,
-        photons: PhotonFlags::default(),
-    }
-}
-
 pub fn shine(light: Light) -> Object {
     Object::new(ObjectKind::Light(Arc::new(light)))
 }

@@ -51,21 +51,7 @@ fn head(p: &mut Parser) -> Result<Object> {
     }
     let location = vec3(p)?;
     p.comma()?;
-    Ok(Object::new(ObjectKind::Light(Arc::new(Light {
-        location,
-        color: light_color(p)?,
-        kind: LightKind::Point,
-        point_at: Vec3::Z,
-        parallel: false,
-        fade_distance: 0.0,
-        fade_power: 0.0,
-        area: None,
-        media_interaction: true,
-        media_attenuation: false,
-        looks_like: None,
-        projected_through: None,
-        photons: PhotonFlags::default(),
-    }))))
+    Ok(Object::new(ObjectKind::Light(Arc::new(Light::new(location, light_color(p)?)))))
 }
 
 /// A colour, or the sum of a colour map weighted by its positions.

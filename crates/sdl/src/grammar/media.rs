@@ -1,7 +1,7 @@
 //! `media { ... }` and the densities in it (spec on media, section 1.1).
 use std::sync::Arc;
 
-use raggio_scene::{Density, Media, Placed, Rgb, Scattering};
+use raggio_scene::{Density, Media, Placed, Scattering};
 
 use super::pigment;
 use super::util::{count, float, optional_second, rgb, set_flag, set_rgb, set32, take, until, word};
@@ -11,22 +11,10 @@ use crate::value::Kind;
 
 /// Media as it begins; old scenes sample otherwise.
 fn default_media(language: u16) -> Media {
-    let modern = language >= 350;
-    Media {
-        method: if modern { 3 } else { 1 },
-        intervals: if modern { 1 } else { 10 },
-        samples: if modern { (10, 10) } else { (1, 1) },
-        confidence: 0.9,
-        variance: 1.0 / 128.0,
-        ratio: 0.9,
-        jitter: 0.0,
-        aa_level: 3,
-        aa_threshold: 0.1,
-        absorption: Rgb::ZERO,
-        emission: Rgb::ZERO,
-        scattering: None,
-        densities: Vec::new(),
-        collect: true,
+    if language >= 350 {
+        Media::default()
+    } else {
+        Media { method: 1, intervals: 10, samples: (1, 1), ..Media::default() }
     }
 }
 

@@ -28,6 +28,7 @@ mod mesh;
 mod mesh2;
 mod modifiers;
 mod normal;
+mod nurbs;
 mod object;
 mod patch;
 mod pattern;

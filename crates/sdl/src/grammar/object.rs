@@ -5,8 +5,8 @@ use raggio_scene::{Csg, Object, ObjectKind, Shape, Texture};
 
 use super::util::{take, word};
 use super::{
-    blob, csg, curves, height_field, interior, isosurface, julia, light, modifiers, patch, poly, quadrics,
-    text, triangles,
+    blob, csg, curves, height_field, interior, isosurface, julia, light, modifiers, nurbs, patch, poly,
+    quadrics, text, triangles,
 };
 use crate::keyword::Kw;
 use crate::parser::{Parser, Result, Tok};
@@ -14,6 +14,9 @@ use crate::value::Kind;
 
 /// The object whose block comes next, if one does.
 pub fn any(p: &mut Parser) -> Result<Option<Object>> {
+    if nurbs::comes_next(p)? {
+        return nurbs::nurbs_patch(p).map(Some);
+    }
     let Some(name) = word(p)? else { return Ok(None) };
     let Some(read) = reader(name) else { return Ok(None) };
     p.next()?;
@@ -149,7 +152,8 @@ pub fn is_patch(object: &Object) -> bool {
             Shape::Triangle { .. }
             | Shape::SmoothTriangle { .. }
             | Shape::BicubicPatch { .. }
-            | Shape::Parametric(_) => true,
+            | Shape::Parametric(_)
+            | Shape::Nurbs(_) => true,
             Shape::Mesh(mesh) => mesh.inside_vector.is_none(),
             _ => false,
         },

@@ -109,33 +109,9 @@ fn subsurface(p: &mut Parser) -> Result<SubsurfaceSettings> {
     Ok(s)
 }
 
-fn default_radiosity() -> RadiositySettings {
-    RadiositySettings {
-        adc_bailout: 0.01,
-        always_sample: false,
-        brightness: 1.0,
-        count: 35,
-        count_pool: 1600,
-        error_bound: 1.8,
-        gray_threshold: 0.0,
-        low_error_factor: 0.5,
-        max_sample: -1.0,
-        maximum_reuse: 0.2,
-        minimum_reuse: 0.015,
-        media: false,
-        nearest_count: 5,
-        nearest_count_adaptive: 0,
-        normal: false,
-        pretrace_start: 0.08,
-        pretrace_end: 0.04,
-        recursion_limit: 2,
-        subsurface: false,
-    }
-}
-
 /// `radiosity { ... }`; the word has been read.
 fn radiosity(p: &mut Parser, span: Span) -> Result<RadiositySettings> {
-    let mut r = default_radiosity();
+    let mut r = RadiositySettings::default();
     let (mut pool, mut minimum, mut maximum) = (None, None, None);
     p.block("radiosity", |p| match word(p)? {
         Some(Kw::Count) => {
@@ -197,29 +173,9 @@ fn radiosity_item(p: &mut Parser, r: &mut RadiositySettings, key: Kw) -> Result<
     }
 }
 
-fn default_photons() -> Photons {
-    Photons {
-        spacing: 1.0,
-        count: 0,
-        gather_min: 20,
-        gather_max: 100,
-        jitter: 0.4,
-        max_trace_level: None,
-        adc_bailout: None,
-        autostop: 0.5,
-        expand_increase: 0.2,
-        expand_min: 35,
-        radius: [-1.0, 1.0, -1.0, 1.0],
-        media_max_steps: 0,
-        media_factor: 1.0,
-        save_file: None,
-        load_file: None,
-    }
-}
-
 /// `photons { ... }`; the word has been read. Gathering none switches photons off.
 fn photons(p: &mut Parser) -> Result<Option<Photons>> {
-    let mut f = default_photons();
+    let mut f = Photons::default();
     p.block("photons", |p| match word(p)? {
         Some(key) => photon_item(p, &mut f, key),
         None => p.accept_punct(','),

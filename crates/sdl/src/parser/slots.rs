@@ -104,7 +104,11 @@ impl Parser<'_> {
                 Some(value) => Ok(value),
                 None => self.take_value(),
             },
-            Tok::Unknown => self.undeclared("has no value"),
+            // Some blocks begin with a word that is not reserved.
+            Tok::Unknown => match grammar::declared_value(self)? {
+                Some(value) => Ok(value),
+                None => self.undeclared("has no value"),
+            },
             _ if self.at_color_word()? => Ok(Value::Color(self.channels()?)),
             _ if self.at_string()? => Ok(Value::String(self.string()?)),
             _ if self.at_expression()? => self.additive().map(value_of),

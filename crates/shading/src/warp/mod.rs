@@ -4,8 +4,7 @@ mod mapping;
 mod repeat;
 
 use raggio_math::noise::dturbulence;
-use raggio_math::transform::normal_by_inverse;
-use raggio_math::{Affine, Vec3};
+use raggio_math::{Affine, Mat3, Vec3};
 use raggio_scene as scene;
 
 use black_hole::BlackHole;
@@ -20,6 +19,15 @@ const LIMIT: Vec3 = Vec3::splat(1e17);
 #[derive(Debug, Default)]
 pub(crate) struct WarpList {
     ops: Box<[Op]>,
+    /// How normals go in and out; `None` where no transform stands in the way.
+    normals: Option<Box<Normals>>,
+}
+
+/// What all transforms together do to normals.
+#[derive(Debug)]
+struct Normals {
+    inward: Mat3,
+    outward: Mat3,
 }
 
 #[derive(Debug)]
@@ -49,7 +57,7 @@ impl WarpList {
                 (op, _) => ops.push(op),
             }
         }
-        WarpList { ops: ops.into() }
+        WarpList { normals: Normals::of(&ops), ops: ops.into() }
     }
 
     /// The point that the pattern sees.
@@ -71,27 +79,34 @@ impl WarpList {
 
     /// A normal carried into the pattern's space. Only transforms act. `scaled` keeps lengths, for `no_bump_scale`.
     pub fn normal_in(&self, n: Vec3, scaled: bool) -> Vec3 {
-        if self.ops.is_empty() {
-            return unit(n, scaled);
+        match &self.normals {
+            None => unit(n, scaled),
+            Some(normals) => unit(normals.inward * unit(n, scaled), scaled),
         }
-        let n = self.transforms().fold(unit(n, scaled), |n, t| t.forward.matrix3.transpose() * n);
-        unit(n, scaled)
     }
 
     /// And back.
     pub fn normal_out(&self, n: Vec3, scaled: bool) -> Vec3 {
-        if self.ops.is_empty() {
-            return unit(n, scaled);
+        match &self.normals {
+            None => unit(n, scaled),
+            Some(normals) => unit(normals.outward * unit(n, scaled), scaled),
         }
-        let n = self.transforms().rev().fold(unit(n, scaled), |n, t| normal_by_inverse(&t.inverse, n));
-        unit(n, scaled)
     }
+}
 
-    fn transforms(&self) -> impl DoubleEndedIterator<Item = &Transform> {
-        self.ops.iter().filter_map(|op| match op {
+impl Normals {
+    fn of(ops: &[Op]) -> Option<Box<Normals>> {
+        let mut transforms = ops.iter().filter_map(|op| match op {
             Op::Transform(t) => Some(&**t),
             _ => None,
-        })
+        });
+        let first = transforms.next()?;
+        let start =
+            Normals { inward: first.forward.matrix3.transpose(), outward: first.inverse.matrix3.transpose() };
+        Some(Box::new(transforms.fold(start, |all, t| Normals {
+            inward: t.forward.matrix3.transpose() * all.inward,
+            outward: all.outward * t.inverse.matrix3.transpose(),
+        })))
     }
 }
 

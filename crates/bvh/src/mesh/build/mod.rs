@@ -109,9 +109,12 @@ impl Builder<'_> {
         let (children, count) = open(prims, run, depth);
         let index = tree.nodes.len();
         tree.nodes.push(EMPTY_NODE);
-        for (slot, child) in children[..count].iter().enumerate() {
+        for (i, child) in children[..count].iter().enumerate() {
             let (own, rest) = prims.split_at_mut(child.len);
             prims = rest;
+            // The smallest first: rays that seek just any hit take children as they come.
+            let before = |(j, other): &(usize, &Run)| (other.len, *j) < (child.len, i);
+            let slot = children[..count].iter().enumerate().filter(before).count();
             let word = self.child(own, child, depth + 1, tree);
             tree.nodes[index].set(slot, child, word);
         }
