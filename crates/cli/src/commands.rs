@@ -72,6 +72,8 @@ fn try_render(
             ("write", written),
         ]);
     }
+    // The process ends here, and the system takes memory back faster than piece by piece.
+    std::mem::forget(ready);
     if cancelled {
         report.say("warning", &format!("interrupted; {} holds what was there", output.display()));
         return Ok(Outcome::Interrupted);
@@ -110,6 +112,7 @@ pub(crate) fn check(args: &CheckArgs, cancel: &Arc<AtomicBool>) -> Outcome {
             if args.scene.timing {
                 report.timing(&[("read", ready.parse_time), ("build", ready.build_time)]);
             }
+            std::mem::forget(ready);
             Outcome::Done
         }
         Err(failure) => {
