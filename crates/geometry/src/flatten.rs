@@ -70,7 +70,9 @@ pub(crate) fn flatten(objects: &[Arc<Object>], keep_all_bounds: bool) -> Result<
     }
     let bounds =
         members.iter().filter(|m| m.surface.is_finite()).fold(Aabb::EMPTY, |all, m| all.union(&m.surface));
-    let world = group(Op::Union, &members, &walk.leaves, Vec::new(), Vec::new());
+    let mut world = group(Op::Union, &members, &walk.leaves, Vec::new(), Vec::new());
+    // Among top-level objects, what POV-Ray shows depends on how its tree of boxes came out.
+    world.ranked = false;
     let Walk { leaves, groups, materials, lights, parts, .. } = walk;
     Ok(Flat { leaves, groups, world, bounds, materials, lights, parts })
 }
@@ -112,7 +114,7 @@ impl Walk {
             self.pool.place(&mut self.leaves, shape, &c.world_from_here, c.inverted)?;
         let index = self.leaves.leaves.len();
         let material = if c.form_only { MaterialId(u32::MAX) } else { c.material(&mut self.materials) };
-        self.leaves.leaves.push(Leaf { prim, material, inverted });
+        self.leaves.leaves.push(Leaf { prim, material, inverted, rank: index as u32 });
         if !c.form_only {
             self.part_textures(object, shape, c, index as u32);
             if c.cutaway.is_some() {
@@ -161,7 +163,9 @@ impl Walk {
         let op = effective(csg, context.inverted);
         let cutaway = matches!(csg, Csg::CutawayIntersection | Csg::Difference { cutaway_textures: true });
         let fenced = !object.clips.is_empty() || self.keeps_bounds(object, outer);
-        let opened = !fenced && !cutaway && around == op && op != Op::Merge;
+        // Whether a union of the top level stays together is seen where its surfaces coincide.
+        let kept = !object.split_union && outer.interior.is_none();
+        let opened = !fenced && !cutaway && !kept && around == op && op != Op::Merge;
         let mut inner = context.clone();
         let reserved = (!opened).then(|| self.reserve());
         // A texture on the group itself, or around it, is inherited as ever.
@@ -177,7 +181,11 @@ impl Walk {
         let target = if opened { &mut *members } else { &mut own };
         for (i, child) in children.iter().enumerate() {
             inner.inverted = context.inverted != (i > 0 && matches!(csg, Csg::Difference { .. }));
+            let first = self.leaves.leaves.len();
             self.object(child, &inner, op, target)?;
+            if op != Op::Union {
+                self.turn_ranks(first);
+            }
         }
         let Some(reserved) = reserved else { return Ok(()) };
         own.iter_mut().for_each(|m| {
@@ -186,6 +194,14 @@ impl Walk {
         let built = self.group(op, own, skip, reserved, object, outer)?;
         members.push(built);
         Ok(())
+    }
+
+    /// Turns the order of ranks of all leaves from this one on. A hit of a union goes on a pile, of which the topmost
+    /// of equals is taken; all other combinations turn each member's pile over while they look through it.
+    fn turn_ranks(&mut self, first: usize) {
+        let leaves = &mut self.leaves.leaves;
+        let sum = (first + leaves.len() - 1) as u32;
+        leaves[first..].iter_mut().for_each(|leaf| leaf.rank = sum - leaf.rank);
     }
 
     fn reserve(&mut self) -> u32 {
@@ -376,7 +392,7 @@ fn group(op: Op, built: &[Built], leaves: &Leaves, clips: Vec<NodeRef>, bounds: 
     let members: Vec<_> = built.iter().map(|b| b.member).collect();
     let limiting = if op == Op::Intersection { &members[..] } else { &[] };
     let convex = Convex::of(limiting.iter().map(|m| m.node).chain(clips.iter().copied()), leaves);
-    Group { op, members, surfaces, deciders, clips, bounds, convex }
+    Group { op, members, surfaces, deciders, clips, bounds, convex, ranked: true }
 }
 
 /// What boxes tell about each member; those that are cheap to ask first.

@@ -13,6 +13,8 @@ pub(crate) struct Leaf {
     pub(crate) material: MaterialId,
     /// Turned inside out on the way down.
     pub(crate) inverted: bool,
+    /// Of surfaces of one object at the same distance, that of the leaf with the highest rank is seen.
+    pub(crate) rank: u32,
 }
 
 /// Which shape, where. The simplest are here and now, in world coordinates.

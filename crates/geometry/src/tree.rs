@@ -78,6 +78,8 @@ pub(crate) struct Group {
     pub(crate) bounds: Vec<NodeRef>,
     /// What it lies within: planes and spheres of an intersection, and of the clips.
     pub(crate) convex: Option<Convex>,
+    /// Do the ranks of leaves decide between equally near hits, or does the first found?
+    pub(crate) ranked: bool,
 }
 
 /// Lists of hits.
@@ -177,15 +179,28 @@ impl Tree {
                 return None;
             }
             // A group with bounds may show more than its box holds.
-            let range = if member.node.is_leaf() { within } else { (range.0, far) };
+            let mut range = if member.node.is_leaf() { within } else { (range.0, far) };
+            if group.ranked && best.is_some() && range.1 == far {
+                range.1 = far.next_up();
+            }
             let hit = match all_count {
                 true => self.closest(member.node, probe, range, class, scratch, stops)?,
                 false => self.closest_that_counts(group, index, probe, range, class, scratch)?,
             };
+            if best.is_some_and(|best| !self.stands_before(&hit, &best)) {
+                return None;
+            }
             best = Some(hit);
             Some(if stops(&hit) { ENOUGH } else { hit.t })
         });
         best
+    }
+
+    /// Which of two hits is seen? Of equally near ones the leaves' ranks decide, so that coincident surfaces look as
+    /// they do in POV-Ray.
+    fn stands_before(&self, a: &Hit, b: &Hit) -> bool {
+        let rank = |hit: &Hit| self.leaves.leaves[hit.leaf as usize].rank;
+        a.t < b.t || (a.t == b.t && rank(a) > rank(b))
     }
 
     /// The nearest of a member's hits that the group lets count.
@@ -210,7 +225,8 @@ impl Tree {
         let start = scratch.lists().hits.len();
         self.hits(node, probe, range, class, scratch);
         let found = &mut scratch.lists().hits[start..];
-        found.sort_unstable_by(|a, b| a.t.total_cmp(&b.t));
+        let rank = |hit: &Hit| self.leaves.leaves[hit.leaf as usize].rank;
+        found.sort_unstable_by(|a, b| a.t.total_cmp(&b.t).then_with(|| rank(b).cmp(&rank(a))));
         let best = found.iter().find(|hit| counts(hit.t)).copied();
         scratch.lists().hits.truncate(start);
         best

@@ -70,7 +70,7 @@ pub struct Object {
     pub sturm: bool,
     /// `hierarchy off` on shapes that have an inner search structure changes no picture; kept for the record.
     pub hierarchy: bool,
-    /// `split_union off` likewise.
+    /// `split_union off` keeps a union of the top level together, which shows where its surfaces coincide.
     pub split_union: bool,
     /// `radiosity { importance }`
     pub radiosity_importance: Option<f32>,
