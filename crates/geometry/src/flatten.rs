@@ -5,6 +5,7 @@ use raggio_math::{Aabb, Affine};
 use raggio_scene::{Csg, Light, Object, ObjectKind, Placed, Shape};
 use rustc_hash::FxHashMap;
 
+use crate::convex::Convex;
 use crate::index::{Decider, indices};
 use crate::inherit::{Context, OUTERMOST_ONLY, all_shadowless, effective};
 use crate::leaf::{Leaf, Leaves};
@@ -231,6 +232,14 @@ impl Walk {
             Op::Intersection => own.iter().fold(*clip_box, |limit, m| limit.intersection(&m.reach)),
             Op::Union | Op::Merge => *clip_box,
         };
+        if op == Op::Intersection {
+            let convex = Convex::of(own.iter().map(|m| m.member.node), &self.leaves);
+            let held = convex.map_or(limit, |convex| convex.bounds_within(&limit));
+            for m in own.iter_mut().filter(|m| self.leaves.is_plane(m.member.node)) {
+                m.inside = m.inside.intersection(&held);
+                m.reach = m.reach.intersection(&held);
+            }
+        }
         for m in own.iter_mut().filter(|m| !m.surface.is_finite()) {
             if let Some((part, turned)) = self.leaves.bounds_within(m.member.node, &limit) {
                 m.surface = m.surface.intersection(&part);
@@ -364,7 +373,10 @@ fn group(op: Op, built: &[Built], leaves: &Leaves, clips: Vec<NodeRef>, bounds: 
     let cheap = built.len() > 1024 && built.iter().all(|m| cost(m) == 0);
     let (surfaces, deciders) =
         indices(&surfaces, &decisions, deciders(built, leaves), 1 + usize::from(cheap));
-    Group { op, members: built.iter().map(|b| b.member).collect(), surfaces, deciders, clips, bounds }
+    let members: Vec<_> = built.iter().map(|b| b.member).collect();
+    let limiting = if op == Op::Intersection { &members[..] } else { &[] };
+    let convex = Convex::of(limiting.iter().map(|m| m.node).chain(clips.iter().copied()), leaves);
+    Group { op, members, surfaces, deciders, clips, bounds, convex }
 }
 
 /// What boxes tell about each member; those that are cheap to ask first.

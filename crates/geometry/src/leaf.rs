@@ -168,6 +168,32 @@ impl Leaves {
         Some(None)
     }
 
+    /// The nearest hit of one leaf that `counts` says yes to; `None` for shapes that have no quick way to it.
+    pub(crate) fn closest_counted(
+        &self,
+        index: u32,
+        ray: &Ray,
+        range: (f64, f64),
+        counts: impl Fn(f64) -> bool,
+    ) -> Option<Option<Hit>> {
+        let leaf = &self.leaves[index as usize];
+        let within = |t: f64| t > range.0 && t < range.1 && counts(t);
+        let (found, stretch) = match &leaf.prim {
+            Prim::World(s) => {
+                (self.shapes[*s as usize].closest_counted(ray, range, &mut |t| within(t))?, 1.0)
+            }
+            Prim::Placed { shape, place } => {
+                let local = LocalRay::new(ray, &self.places[*place as usize]);
+                let mut counts = |t: f64| within(t / local.stretch);
+                let shape = &self.shapes[*shape as usize];
+                (shape.closest_counted(&local.ray, local.range(range), &mut counts)?, local.stretch)
+            }
+            _ => return None,
+        };
+        let hit = |local: LocalHit| Hit { t: local.t / stretch, leaf: index, inverted: leaf.inverted, local };
+        Some(found.map(hit))
+    }
+
     /// Appends every hit of one leaf. `buffer` is room for the shape's answers, left as it was found.
     pub(crate) fn hits(
         &self,
@@ -294,6 +320,11 @@ impl Leaves {
             Prim::World(shape) | Prim::Placed { shape, .. } => Some(&self.shapes[shape as usize]),
             _ => None,
         }
+    }
+
+    /// Is the node a plane?
+    pub(crate) fn is_plane(&self, node: NodeRef) -> bool {
+        matches!(node.node(), Node::Leaf(leaf) if matches!(self.leaves[leaf as usize].prim, Prim::Plane(_)))
     }
 
     /// Is asking whether a point is in the node as quick as asking its boxes?

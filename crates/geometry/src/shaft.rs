@@ -31,7 +31,12 @@ pub enum Standing {
 pub struct List {
     members: SmallVec<[u32; BoxRow::MOST]>,
     pub(crate) boxes: BoxRow,
+    /// So few, and none of them groups, that boxes are not worth asking.
+    pub(crate) bare: bool,
 }
+
+/// Up to so many leaves are asked without their boxes.
+const BARE: usize = 2;
 
 impl Shaft {
     /// A box instead of a shaft.
@@ -54,16 +59,34 @@ impl Shaft {
             corners[i] = p + (far - p).try_normalize()? * start;
             corners[i + 4] = far;
         }
-        let middle = (patch[0] + patch[1] + patch[2] + patch[3]) * 0.25 - p;
-        let planes = [0, 1, 2, 3].map(|i| {
-            let normal = (patch[i] - p).cross(patch[(i + 1) % 4] - p);
-            let side = normal.dot(middle);
-            // A side that all of the patch is in sorts out nothing.
-            let flat = side.abs() <= 1e-9 * normal.length() * middle.length();
-            let normal = if flat { Vec3::ZERO } else { normal * -side.signum() };
-            (normal, normal.dot(p))
-        });
-        Some(Shaft { corners, region: Region { bounds: Aabb::around(corners), planes } })
+        Some(Shaft { corners, region: region(corners, patch.map(|far| far - p), p) })
+    }
+
+    /// The frustum between two patches that look the same from a point.
+    pub fn between(p: Vec3, near: [Vec3; 4], far: [Vec3; 4]) -> Shaft {
+        let corners = std::array::from_fn(|i| if i < 4 { near[i] } else { far[i - 4] });
+        Shaft { corners, region: region(corners, far.map(|far| far - p), p) }
+    }
+}
+
+/// The region within the sides of a shaft that has some edges from a point on.
+fn region(corners: Corners, edges: [Vec3; 4], p: Vec3) -> Region {
+    let middle = (edges[0] + edges[1] + edges[2] + edges[3]) * 0.25;
+    let planes = [0, 1, 2, 3].map(|i| {
+        let normal = edges[i].cross(edges[(i + 1) % 4]);
+        let side = normal.dot(middle);
+        // A side that all of the patch is in sorts out nothing.
+        let flat = side.abs() <= 1e-9 * normal.length() * middle.length();
+        let normal = if flat { Vec3::ZERO } else { normal * -side.signum() };
+        (normal, normal.dot(p))
+    });
+    Region { bounds: Aabb::around(corners), planes }
+}
+
+impl Standing {
+    /// Is it so little that asking it costs next to nothing?
+    pub fn is_little(&self) -> bool {
+        matches!(self, Standing::Listed(list) if list.bare)
     }
 }
 
@@ -71,6 +94,10 @@ impl List {
     /// Does nothing stand there?
     pub fn is_empty(&self) -> bool {
         self.members.is_empty()
+    }
+
+    pub(crate) fn members(&self) -> &[u32] {
+        &self.members
     }
 
     pub(crate) fn member(&self, place: usize) -> u32 {
@@ -83,6 +110,11 @@ impl List {
 }
 
 impl Geometry {
+    /// Has it so few objects that all of them are tested at once anyway?
+    pub fn is_small(&self) -> bool {
+        self.world.members.len() <= BoxRow::MOST
+    }
+
     /// What may stand in a shaft in the way of rays of a class.
     pub fn standing_in(&self, shaft: &Shaft, class: RayClass) -> Standing {
         let mut members = SmallVec::new();
@@ -102,7 +134,11 @@ impl Geometry {
         });
         match too_many {
             true => Standing::Anything,
-            false => Standing::Listed(Box::new(List { members, boxes: BoxRow::new(&boxes) })),
+            false => {
+                let leaf = |&m: &u32| self.world.members[m as usize].node.is_leaf();
+                let bare = members.len() <= BARE && members.iter().all(leaf);
+                Standing::Listed(Box::new(List { members, boxes: BoxRow::new(&boxes), bare }))
+            }
         }
     }
 }

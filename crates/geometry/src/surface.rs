@@ -40,6 +40,16 @@ pub trait Surface: Send + Sync {
         self.hits(ray, range, &mut all);
         all.into_iter().min_by(|a, b| a.t.total_cmp(&b.t))
     }
+    /// The nearest of [`Surface::hits`] that `counts` says yes to, given its distance; `None` where the shape has no
+    /// quicker way than to look at all of them.
+    fn closest_counted(
+        &self,
+        _ray: &Ray,
+        _range: (f64, f64),
+        _counts: &mut dyn FnMut(f64) -> bool,
+    ) -> Option<Option<LocalHit>> {
+        None
+    }
     /// Is the point inside? Always false for shapes without an inside.
     fn inside(&self, p: Vec3) -> bool;
     /// Has the shape an inside at all (can it be a member of an intersection)?

@@ -5,8 +5,9 @@
 //! have it so (shapes spec, section 8), so a hit is judged on its own and queries may be cut to any range.
 use std::cell::Cell;
 
-use raggio_math::Vec3;
+use raggio_math::{Ray, Vec3};
 
+use crate::convex::Convex;
 use crate::index::{Deciders, ENOUGH, Index};
 use crate::leaf::Leaves;
 use crate::probe::Probe;
@@ -75,6 +76,8 @@ pub(crate) struct Group {
     pub(crate) clips: Vec<NodeRef>,
     /// Rays that miss any of them miss the group.
     pub(crate) bounds: Vec<NodeRef>,
+    /// What it lies within: planes and spheres of an intersection, and of the clips.
+    pub(crate) convex: Option<Convex>,
 }
 
 /// Lists of hits.
@@ -118,6 +121,15 @@ pub(crate) struct Tree {
 const NOBODY: u32 = u32::MAX;
 
 impl Group {
+    /// The part of a range in which a ray may hit it, as far as its convex part tells.
+    #[inline(always)]
+    fn span(&self, ray: &Ray, range: (f64, f64)) -> Option<(f64, f64)> {
+        match &self.convex {
+            None => Some(range),
+            Some(convex) => convex.span(ray, range),
+        }
+    }
+
     /// Does every hit of a member count?
     fn all_count(&self) -> bool {
         self.op == Op::Union && self.clips.is_empty()
@@ -157,6 +169,7 @@ impl Tree {
             return None;
         }
         let all_count = group.all_count();
+        let range = group.span(&probe.ray, range)?;
         let mut best: Option<Hit> = None;
         group.surfaces.closest(probe, range, |index, far, within| {
             let member = &group.members[index as usize];
@@ -187,10 +200,12 @@ impl Tree {
     ) -> Option<Hit> {
         let node = group.members[member as usize].node;
         let counts = |t: f64| self.counts(group, member, probe.ray.at(t));
-        if let Node::Leaf(leaf) = node.node()
-            && let Some(found) = self.leaves.closest_of_few(leaf, &probe.ray, range, counts)
-        {
-            return found;
+        if let Node::Leaf(leaf) = node.node() {
+            let ray = &probe.ray;
+            let found = self.leaves.closest_of_few(leaf, ray, range, counts);
+            if let Some(found) = found.or_else(|| self.leaves.closest_counted(leaf, ray, range, counts)) {
+                return found;
+            }
         }
         let start = scratch.lists().hits.len();
         self.hits(node, probe, range, class, scratch);
@@ -214,6 +229,7 @@ impl Tree {
             return;
         }
         let all_count = group.all_count();
+        let Some(range) = group.span(&probe.ray, range) else { return };
         group.surfaces.all(probe, range, |index| {
             let member = &group.members[index as usize];
             if member.skip & class != 0 {

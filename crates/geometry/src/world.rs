@@ -8,7 +8,7 @@ use smallvec::SmallVec;
 use crate::flatten::{Flat, flatten};
 use crate::index::ENOUGH;
 use crate::probe::Probe;
-use crate::shaft::{Shaft, Standing};
+use crate::shaft::{List, Shaft, Standing};
 use crate::texturing::{Parts, Texturing};
 use crate::tree::{Group, Node, NodeRef, Scratch, Tree};
 
@@ -239,6 +239,11 @@ impl Geometry {
         stops: impl Fn(&Hit) -> bool,
     ) -> Option<Hit> {
         let range = (range.0.max(MIN_HIT), range.1.min(MAX_DISTANCE));
+        if let Standing::Listed(list) = standing
+            && list.bare
+        {
+            return self.blocking_leaf(ray, range, list, stops);
+        }
         let probe = Probe::new(ray);
         let mut scratch = Scratch::default();
         let mut best: Option<Hit> = None;
@@ -271,6 +276,28 @@ impl Geometry {
                 let mut touched = list.boxes.touched(&probe.slab, (range.0, far));
                 while let Some(touch) = touched.next(far) {
                     far = ask(list.member(touch.place), far).unwrap_or(far);
+                }
+            }
+        }
+        best
+    }
+
+    /// [`Geometry::blocker`] among a few leaves.
+    fn blocking_leaf(
+        &self,
+        ray: &Ray,
+        range: (f64, f64),
+        list: &List,
+        stops: impl Fn(&Hit) -> bool,
+    ) -> Option<Hit> {
+        let mut best: Option<Hit> = None;
+        for &index in list.members() {
+            let Node::Leaf(leaf) = self.world.members[index as usize].node.node() else { continue };
+            let far = best.map_or(range.1, |hit| hit.t);
+            if let Some(hit) = self.tree.leaves.closest(leaf, ray, (range.0, far), &stops) {
+                best = Some(hit);
+                if stops(&hit) {
+                    break;
                 }
             }
         }

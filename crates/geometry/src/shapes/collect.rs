@@ -66,7 +66,28 @@ impl Collect for Nearest {
     }
 }
 
-/// Writes `hits` and `closest` of a [`crate::Surface`] for a shape with `fn search(&self, &Ray, &mut impl Collect)`.
+/// Keeps the nearest hit that counts.
+pub(crate) struct Counted<'a> {
+    pub(crate) nearest: Nearest,
+    /// Does the hit at a distance count?
+    pub(crate) counts: &'a mut dyn FnMut(f64) -> bool,
+}
+
+impl Collect for Counted<'_> {
+    #[inline]
+    fn range(&self) -> (f64, f64) {
+        self.nearest.range
+    }
+    #[inline]
+    fn push(&mut self, hit: LocalHit) {
+        let range = self.nearest.range;
+        if range.0 < hit.t && hit.t < range.1 && (self.counts)(hit.t) {
+            self.nearest.push(hit);
+        }
+    }
+}
+
+/// Writes `hits`, `closest` and `closest_counted` of a [`crate::Surface`] for a shape with `fn search(&self, &Ray, &mut impl Collect)`.
 /// The number is the least distance at which the shape reports a hit.
 macro_rules! searched_from {
     ($least:expr) => {
@@ -78,6 +99,17 @@ macro_rules! searched_from {
             let mut nearest = crate::shapes::collect::Nearest::new(crate::shapes::beyond(range, $least));
             self.search(ray, &mut nearest);
             nearest.best()
+        }
+        fn closest_counted(
+            &self,
+            ray: &raggio_math::Ray,
+            range: (f64, f64),
+            counts: &mut dyn FnMut(f64) -> bool,
+        ) -> Option<Option<crate::LocalHit>> {
+            let nearest = crate::shapes::collect::Nearest::new(crate::shapes::beyond(range, $least));
+            let mut counted = crate::shapes::collect::Counted { nearest, counts };
+            self.search(ray, &mut counted);
+            Some(counted.nearest.best())
         }
     };
 }

@@ -74,6 +74,14 @@ macro_rules! shape_kinds {
             fn closest(&self, ray: &Ray, range: (f64, f64)) -> Option<LocalHit> {
                 match self { $(ShapeKind::$kind(s) => s.closest(ray, range),)* }
             }
+            fn closest_counted(
+                &self,
+                ray: &Ray,
+                range: (f64, f64),
+                counts: &mut dyn FnMut(f64) -> bool,
+            ) -> Option<Option<LocalHit>> {
+                match self { $(ShapeKind::$kind(s) => s.closest_counted(ray, range, counts),)* }
+            }
             fn inside(&self, p: Vec3) -> bool {
                 match self { $(ShapeKind::$kind(s) => s.inside(p),)* }
             }

@@ -19,6 +19,17 @@ impl Plane {
         Plane { normal, distance }
     }
 
+    /// The normal and the distance.
+    pub(crate) fn side(&self) -> (Vec3, f64) {
+        (self.normal, self.distance)
+    }
+
+    /// How fast the ray leaves the inside, and how deep inside it starts.
+    #[inline(always)]
+    pub(crate) fn approach(&self, ray: &Ray) -> (f64, f64) {
+        (self.normal.dot(ray.dir), self.distance - self.normal.dot(ray.origin))
+    }
+
     /// Are all points on one side?
     pub(crate) fn misses(&self, hull: &[Vec3; 8]) -> bool {
         clearly_beyond(start_along(hull, self.normal), self.distance)

@@ -32,7 +32,7 @@ impl Sphere {
 
     /// The parameters of entry and exit, if the chord is long enough to count.
     #[inline]
-    fn chord(&self, ray: &Ray) -> Option<(f64, f64)> {
+    pub(crate) fn chord(&self, ray: &Ray) -> Option<(f64, f64)> {
         let to_center = self.center - ray.origin;
         let middle = to_center.dot(ray.dir);
         // Distance of the centre from the line by rejection: no cancellation for far origins.

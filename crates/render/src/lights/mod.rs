@@ -1,15 +1,21 @@
 //! Lights: where they stand, which surfaces they shine on, how their light thins out and is shadowed.
 mod area;
 mod attenuation;
+mod buffer;
 mod shadow;
 
-use raggio_geometry::{BuildError, Geometry, LightGroupId, Material};
+use raggio_geometry::{BuildError, Geometry, LightGroupId, Material, Standing};
 use raggio_image::Rgb;
 use raggio_math::Vec3;
 use raggio_scene as scene;
 
+use buffer::LightBuffer;
+
 pub use area::{AreaGrid, AreaScratch};
 pub use attenuation::Cone;
+
+/// So many lights of a scene have buffers.
+const MOST_BUFFERS: usize = 64;
 
 /// A light ready to shine.
 pub struct LightSource {
@@ -41,6 +47,8 @@ pub struct LightSource {
     pub media_attenuation: bool,
     /// Photon switches.
     pub photons: scene::PhotonFlags,
+    /// What stands in its way, for lights whose rays all come from one point.
+    buffer: Option<LightBuffer>,
 }
 
 /// The way from a point to a light.
@@ -58,6 +66,9 @@ impl LightSource {
     /// # Errors
     /// If the object that it shines through cannot be built.
     pub fn build(index: usize, light: &scene::Light) -> Result<LightSource, BuildError> {
+        let kind = &light.kind;
+        let parallel = light.parallel || matches!(kind, scene::LightKind::Cylinder { .. });
+        let buffered = index < MOST_BUFFERS && !parallel && light.area.is_none();
         let through = light.projected_through.as_ref().map(Geometry::of_object).transpose()?;
         Ok(LightSource {
             index,
@@ -66,7 +77,8 @@ impl LightSource {
             axis: (light.point_at - light.location).try_normalize().unwrap_or(Vec3::Z),
             color: light.color,
             cone: Cone::new(&light.kind),
-            parallel: light.parallel || matches!(light.kind, scene::LightKind::Cylinder { .. }),
+            parallel,
+            buffer: buffered.then(|| LightBuffer::new(light.location)),
             shadowless: matches!(light.kind, scene::LightKind::Shadowless),
             fade: attenuation::fade(light),
             area: light.area.as_ref().map(AreaGrid::new),
@@ -75,6 +87,15 @@ impl LightSource {
             media_attenuation: light.media_attenuation,
             photons: light.photons,
         })
+    }
+
+    /// What may stand in the way of light that goes on a path.
+    #[inline]
+    pub fn before(&self, path: &Path, geometry: &Geometry) -> &Standing {
+        match &self.buffer {
+            Some(buffer) if !geometry.is_small() => buffer.towards(-path.dir, geometry),
+            _ => &Standing::Anything,
+        }
     }
 
     /// The way from `p` to the light's centre (light spec, section 5.1).

@@ -29,7 +29,8 @@ impl Tracer<'_> {
             return light;
         }
         let Some(grid) = source.area.as_ref().filter(|_| self.quality.area_lights()) else {
-            return self.walk_to_light(source, p, path, light, interiors, collects, &Standing::Anything);
+            let standing = source.before(path, &self.world.geometry);
+            return self.walk_to_light(source, p, path, light, interiors, collects, standing);
         };
         let standing = self.before_area(source, grid, p, path);
         if matches!(&standing, Standing::Listed(list) if list.is_empty()) && self.is_clear(source) {

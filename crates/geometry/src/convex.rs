@@ -1,0 +1,149 @@
+//! The convex part of an intersection: its planes and spheres, which say at once where a ray can be inside at all. Clips
+//! are as good as members.
+use raggio_math::{Aabb, EPS, Ray, Vec3};
+
+use crate::leaf::{Leaves, Prim};
+use crate::shapes::{Plane, Sphere};
+use crate::tree::{Node, NodeRef};
+
+/// Room for rounding at both ends of a span, as a share of the distance and by itself.
+const MARGIN: f64 = 1e-6;
+
+/// Corners are looked for up to here; what reaches as far counts as unbounded.
+const FAR: f64 = 1e7;
+
+/// So many planes are looked at for corners.
+const MOST_PLANES: usize = 8;
+
+/// Planes and spheres that a point must be inside of.
+#[derive(Default)]
+pub(crate) struct Convex {
+    planes: Vec<Plane>,
+    spheres: Vec<Sphere>,
+}
+
+impl Convex {
+    /// The planes and spheres among the members of an intersection and the clips, if there are any.
+    pub(crate) fn of(members: impl Iterator<Item = NodeRef>, leaves: &Leaves) -> Option<Self> {
+        let mut convex = Convex::default();
+        for node in members {
+            let Node::Leaf(index) = node.node() else { continue };
+            let leaf = &leaves.leaves[index as usize];
+            match leaf.prim {
+                Prim::Plane(plane) if !leaf.inverted => convex.planes.push(plane),
+                Prim::Sphere { sphere, .. } if !leaf.inverted => convex.spheres.push(sphere),
+                _ => {}
+            }
+        }
+        (!convex.planes.is_empty() || !convex.spheres.is_empty()).then_some(convex)
+    }
+
+    /// The part of a range in which the ray can be inside all of them, and a little more; `None` where it nowhere is.
+    #[inline]
+    pub(crate) fn span(&self, ray: &Ray, range: (f64, f64)) -> Option<(f64, f64)> {
+        let (mut enter, mut leave) = range;
+        for plane in &self.planes {
+            let (slope, depth) = plane.approach(ray);
+            if slope > EPS {
+                leave = leave.min(depth / slope);
+            } else if slope < -EPS {
+                enter = enter.max(depth / slope);
+            }
+        }
+        for sphere in &self.spheres {
+            let (a, b) = sphere.chord(ray)?;
+            (enter, leave) = (enter.max(a), leave.min(b));
+        }
+        let margin = |t: f64| MARGIN * (1.0 + t.abs());
+        let (from, to) = (enter - margin(enter), leave + margin(leave));
+        (from <= to).then_some((from.max(range.0), to.min(range.1)))
+    }
+
+    /// A box around what the planes leave of a box.
+    pub(crate) fn bounds_within(&self, within: &Aabb) -> Aabb {
+        if self.planes.is_empty()
+            || self.planes.len() > MOST_PLANES
+            || within.is_empty()
+            || within.is_finite()
+        {
+            return *within;
+        }
+        let far = Vec3::splat(FAR);
+        let (min, max) = (within.min.max(-far), within.max.min(far));
+        let mut sides: Vec<(Vec3, f64)> = self.planes.iter().map(Plane::side).collect();
+        for (k, axis) in Vec3::AXES.into_iter().enumerate() {
+            sides.extend([(axis, max[k]), (-axis, -min[k])]);
+        }
+        let held = Aabb::around(corners(&sides)).grown(MARGIN);
+        if held.is_empty() {
+            return *within;
+        }
+        // What reaches the far sides has no bounds there.
+        let edge = Vec3::splat(FAR * (1.0 - MARGIN));
+        Aabb {
+            min: Vec3::select(held.min.cmplt(-edge), within.min, within.min.max(held.min)),
+            max: Vec3::select(held.max.cmpgt(edge), within.max, within.max.min(held.max)),
+        }
+    }
+}
+
+/// The corners of what lies within some sides, each given by its normal and distance.
+fn corners(sides: &[(Vec3, f64)]) -> Vec<Vec3> {
+    let mut found = Vec::new();
+    for (i, &(a, da)) in sides.iter().enumerate() {
+        for (j, &(b, db)) in sides.iter().enumerate().skip(i + 1) {
+            let edge = a.cross(b);
+            for &(c, dc) in &sides[j + 1..] {
+                let volume = edge.dot(c);
+                if volume.abs() < 1e-9 {
+                    continue;
+                }
+                let p = (b.cross(c) * da + c.cross(a) * db + edge * dc) / volume;
+                let slack = |d: f64| MARGIN * (1.0 + d.abs().max(p.abs().max_element()));
+                if sides.iter().all(|&(n, d)| n.dot(p) - d <= slack(d)) {
+                    found.push(p);
+                }
+            }
+        }
+    }
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn convex(sides: &[(f64, f64, f64, f64)]) -> Convex {
+        let plane = |&(x, y, z, d): &(f64, f64, f64, f64)| Plane::new(Vec3::new(x, y, z).normalize(), d);
+        Convex { planes: sides.iter().map(plane).collect(), spheres: Vec::new() }
+    }
+
+    #[test]
+    fn a_wedge_between_slanted_planes_has_a_box() {
+        let wedge = convex(&[
+            (0.0, 1.0, 0.0, -0.15),
+            (0.0, -1.0, 0.0, 3.0),
+            (0.0, 0.0, -1.0, 35.0),
+            (-1.0, 0.0, 1.0, 0.0),
+            (1.0, 0.0, 1.0, 0.0),
+        ]);
+        let b = wedge.bounds_within(&Aabb::INFINITE);
+        assert!((b.min - Vec3::new(-35.0, -3.0, -35.0)).length() < 1e-3, "{b:?}");
+        assert!((b.max - Vec3::new(35.0, -0.15, 0.0)).length() < 1e-3, "{b:?}");
+        let open = convex(&[(0.0, 1.0, 0.0, 2.0), (1.0, 0.0, 1.0, 0.0)]).bounds_within(&Aabb::INFINITE);
+        assert_eq!(open.min, Aabb::INFINITE.min);
+        assert!((open.max.y - 2.0).abs() < 1e-3 && open.max.x.is_infinite(), "{open:?}");
+    }
+
+    #[test]
+    fn spans_end_where_planes_and_spheres_do() {
+        let mut both = convex(&[(0.0, 1.0, 0.0, 0.5)]);
+        both.spheres.push(Sphere::new(Vec3::ZERO, 1.0));
+        let up = Ray::new(Vec3::new(0.0, -3.0, 0.0), Vec3::Y);
+        let (from, to) = both.span(&up, (0.0, 10.0)).unwrap();
+        assert!((from - 2.0).abs() < 1e-5 && (to - 3.5).abs() < 1e-5);
+        assert!(both.span(&Ray::new(Vec3::new(2.0, -3.0, 0.0), Vec3::Y), (0.0, 10.0)).is_none());
+        assert!(both.span(&Ray::new(Vec3::new(0.0, 3.0, 0.0), Vec3::Y), (0.0, 10.0)).is_none());
+        assert!(both.span(&up, (4.0, 10.0)).is_none());
+    }
+}
