@@ -104,6 +104,14 @@ fn a_missing_semicolon_is_shown_where_it_is_missing() {
 }
 
 #[test]
+fn one_semicolon_too_many_after_a_number_is_forgiven() {
+    says("#declare A = 1;; Say(A)", "1");
+    says("#declare A = <1, 2, 3>; ; Say(A.y)", "2");
+    fails("#declare A = 1;;;", "unexpected");
+    fails("#declare A = \"text\";;", "unexpected");
+}
+
+#[test]
 fn old_declarations_need_no_semicolon() {
     says("#version 3.1; #declare A = 1\n#declare B = A+1\nSay(B)", "2");
     says(

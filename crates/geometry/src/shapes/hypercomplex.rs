@@ -19,6 +19,7 @@ const I: Complex = Complex { re: 0.0, im: 1.0 };
 
 impl Add for Complex {
     type Output = Complex;
+    #[inline(always)]
     fn add(self, o: Complex) -> Complex {
         Complex { re: self.re + o.re, im: self.im + o.im }
     }
@@ -26,6 +27,7 @@ impl Add for Complex {
 
 impl Sub for Complex {
     type Output = Complex;
+    #[inline(always)]
     fn sub(self, o: Complex) -> Complex {
         Complex { re: self.re - o.re, im: self.im - o.im }
     }
@@ -33,15 +35,18 @@ impl Sub for Complex {
 
 impl Mul for Complex {
     type Output = Complex;
+    #[inline(always)]
     fn mul(self, o: Complex) -> Complex {
         Complex { re: self.re * o.re - self.im * o.im, im: self.re * o.im + self.im * o.re }
     }
 }
 
 impl Complex {
+    #[inline(always)]
     fn times(self, k: f64) -> Complex {
         Complex { re: self.re * k, im: self.im * k }
     }
+    #[inline(always)]
     fn inverse(self) -> Complex {
         let size2 = self.re * self.re + self.im * self.im;
         Complex { re: self.re / size2, im: -self.im / size2 }
@@ -78,6 +83,7 @@ impl Complex {
         f(self * I) * I.times(-1.0)
     }
     /// Half the real part of `conj(self) * o`.
+    #[inline(always)]
     fn half_dot(self, o: Complex) -> f64 {
         0.5 * (self.re * o.re + self.im * o.im)
     }
@@ -89,15 +95,19 @@ pub(crate) struct Hypercomplex(Complex, Complex);
 
 impl Hypercomplex {
     /// From x, y, z, w.
+    #[inline(always)]
     pub(crate) fn from_vec(v: Vec4) -> Self {
         Hypercomplex(Complex { re: v.x - v.w, im: v.y + v.z }, Complex { re: v.x + v.w, im: v.y - v.z })
     }
+    #[inline(always)]
     fn each(self, f: impl Fn(Complex) -> Complex) -> Self {
         Hypercomplex(f(self.0), f(self.1))
     }
+    #[inline(always)]
     fn with(self, o: Self, f: impl Fn(Complex, Complex) -> Complex) -> Self {
         Hypercomplex(f(self.0, o.0), f(self.1, o.1))
     }
+    #[inline(always)]
     fn dot(self, o: Self) -> f64 {
         self.0.half_dot(o.0) + self.1.half_dot(o.1)
     }
@@ -124,6 +134,12 @@ pub(crate) struct Orbit {
 }
 
 impl Orbit {
+    /// How fast half the squared size of the last number grows along a direction.
+    #[inline(always)]
+    pub(crate) fn growth(&self, dir: Vec3) -> f64 {
+        self.last.dot(self.product.with(Hypercomplex::from_vec(dir.extend(0.0)), |a, b| a * b))
+    }
+
     /// The direction in which the size of the last number grows, in x, y and z.
     pub(crate) fn gradient(&self) -> Vec3 {
         let product = self.product;
@@ -143,6 +159,15 @@ impl Map {
         }
     }
 
+    /// What POV-Ray multiplies the growth of an orbit by in its steps. The product of squares lacks the factor 2 of the
+    /// first step; the others are taken as they are.
+    pub(crate) fn growth_scale(self) -> f64 {
+        match self {
+            Map::Square => 4.0,
+            Map::Reciprocal | Map::Function(_) => 2.0,
+        }
+    }
+
     /// Where POV-Ray starts the orbit for the inside test and the normal: functions take y for z.
     pub(crate) fn defective_start(self, q: Vec4) -> Vec4 {
         match self {
@@ -151,40 +176,115 @@ impl Map {
         }
     }
 
-    fn value(self, q: Hypercomplex) -> Hypercomplex {
-        match self {
-            Map::Square => q.each(|x| x * x),
-            Map::Reciprocal => q.each(Complex::inverse),
-            Map::Function(function) => q.each(|x| value(function, x)),
-        }
-    }
-
-    /// The factor of the product for one step at `q` whose value is `value`.
-    fn factor(self, q: Hypercomplex, value: Hypercomplex) -> Hypercomplex {
-        match self {
-            Map::Square => q.each(|x| x.times(2.0)),
-            Map::Reciprocal => value.each(|x| (x * x).times(-1.0)),
-            Map::Function(_) => value,
-        }
-    }
-
     /// Follows the orbit of `q` for `steps` steps or until its squared size is more than `escape`.
-    pub(crate) fn orbit(self, mut q: Hypercomplex, c: Hypercomplex, steps: u32, escape: f64) -> Orbit {
-        let mut product = q;
-        for k in 0..steps {
-            let size2 = q.dot(q);
-            if size2.is_nan() || size2 > escape {
-                return Orbit { escaped: Some(size2), last: q, product };
-            }
-            let value = self.value(q);
-            // The first factor is the start itself.
-            if k > 0 {
-                product = product.with(self.factor(q, value), |a, b| a * b);
-            }
-            q = value.with(c, |a, b| a + b);
+    #[inline(always)]
+    pub(crate) fn orbit(self, q: Hypercomplex, c: Hypercomplex, steps: u32, escape: f64) -> Orbit {
+        let limits = (steps, escape);
+        match self {
+            Map::Square => orbit(q, c, limits, square, twice),
+            Map::Reciprocal => orbit(q, c, limits, Complex::inverse, minus_square),
+            Map::Function(f) => orbit(q, c, limits, |x| value(f, x), |_, value| value),
         }
-        Orbit { escaped: None, last: q, product }
     }
+
+    /// The step at which the orbit escapes, or `steps`, and the squared size of the last number that was looked at.
+    pub(crate) fn last_size(self, q: Hypercomplex, c: Hypercomplex, steps: u32, escape: f64) -> (u32, f64) {
+        match self {
+            Map::Square => last_size(q, c, (steps, escape), square),
+            Map::Reciprocal => last_size(q, c, (steps, escape), Complex::inverse),
+            Map::Function(f) => last_size(q, c, (steps, escape), |x| value(f, x)),
+        }
+    }
+
+    /// The orbit, if it escapes. Of maps that cost next to nothing the product is made when that is known, by a second
+    /// run, for most points escape at once or never.
+    #[inline(always)]
+    pub(crate) fn escape(self, q: Hypercomplex, c: Hypercomplex, steps: u32, escape: f64) -> Option<Orbit> {
+        let orbit = match self {
+            Map::Square => self.orbit(q, c, length(q, c, (steps, escape), square)?, f64::INFINITY),
+            Map::Reciprocal => {
+                self.orbit(q, c, length(q, c, (steps, escape), Complex::inverse)?, f64::INFINITY)
+            }
+            Map::Function(_) => self.orbit(q, c, steps, escape),
+        };
+        match self {
+            Map::Function(_) => orbit.escaped.is_some().then_some(orbit),
+            _ => Some(Orbit { escaped: Some(orbit.last.dot(orbit.last)), ..orbit }),
+        }
+    }
+}
+
+#[inline(always)]
+fn square(x: Complex) -> Complex {
+    x * x
+}
+
+/// The derivative of the square.
+#[inline(always)]
+fn twice(x: Complex, _: Complex) -> Complex {
+    x.times(2.0)
+}
+
+/// The derivative of the inverse.
+#[inline(always)]
+fn minus_square(_: Complex, value: Complex) -> Complex {
+    (value * value).times(-1.0)
+}
+
+/// The orbit of a map, with the product of the factors of its steps, each made from a number and its value.
+#[inline(always)]
+fn orbit(
+    mut q: Hypercomplex,
+    c: Hypercomplex,
+    (steps, escape): (u32, f64),
+    map: impl Fn(Complex) -> Complex,
+    factor: impl Fn(Complex, Complex) -> Complex,
+) -> Orbit {
+    let mut product = q;
+    for k in 0..steps {
+        let size2 = q.dot(q);
+        if size2.is_nan() || size2 > escape {
+            return Orbit { escaped: Some(size2), last: q, product };
+        }
+        let value = q.each(&map);
+        // The first factor is the start itself.
+        if k > 0 {
+            product = product.with(q.with(value, &factor), |a, b| a * b);
+        }
+        q = value.with(c, |a, b| a + b);
+    }
+    Orbit { escaped: None, last: q, product }
+}
+
+/// After how many steps the orbit escapes, if it does.
+#[inline(always)]
+fn length(
+    q: Hypercomplex,
+    c: Hypercomplex,
+    (steps, escape): (u32, f64),
+    map: impl Fn(Complex) -> Complex,
+) -> Option<u32> {
+    let (k, _) = last_size(q, c, (steps, escape), map);
+    (k < steps).then_some(k)
+}
+
+/// The step at which the orbit escapes, or `steps`, and the squared size of the last number that was looked at.
+#[inline(always)]
+fn last_size(
+    mut q: Hypercomplex,
+    c: Hypercomplex,
+    (steps, escape): (u32, f64),
+    map: impl Fn(Complex) -> Complex,
+) -> (u32, f64) {
+    let mut size2 = 0.0;
+    for k in 0..steps {
+        size2 = q.dot(q);
+        if size2.is_nan() || size2 > escape {
+            return (k, size2);
+        }
+        q = q.each(&map).with(c, |a, b| a + b);
+    }
+    (steps, size2)
 }
 
 fn value(function: JuliaFunction, x: Complex) -> Complex {

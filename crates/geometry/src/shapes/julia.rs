@@ -77,18 +77,23 @@ impl Julia {
         p.extend(self.at_origin - self.along.dot(p))
     }
 
-    /// Does the orbit stay bounded?
-    fn stays(&self, p: Vec3) -> bool {
+    /// The step at which the orbit escapes, or the number of steps, and the squared size last looked at.
+    fn last_size(&self, p: Vec3) -> (u32, f64) {
         let q = self.lifted(p);
         match self.map {
             Map::Quaternion(power) => {
-                quaternion::orbit(power, q, self.parameter, self.steps, self.escape).is_none()
+                quaternion::last_size(power, q, self.parameter, self.steps, self.escape)
             }
             Map::Hypercomplex(map) => {
                 let start = Hypercomplex::from_vec(map.defective_start(q));
-                map.orbit(start, self.hyper_parameter(), self.steps, self.escape).escaped.is_none()
+                map.last_size(start, self.hyper_parameter(), self.steps, self.escape)
             }
         }
+    }
+
+    /// Does the orbit stay bounded?
+    fn stays(&self, p: Vec3) -> bool {
+        self.last_size(p).0 == self.steps
     }
 
     fn hyper_parameter(&self) -> Hypercomplex {
@@ -96,6 +101,7 @@ impl Julia {
     }
 
     /// Is the point inside, and how far can the march go?
+    #[inline]
     fn look(&self, p: Vec3, dir: Vec3) -> Look {
         let q = self.lifted(p);
         let (inside, estimate) = match self.map {
@@ -106,12 +112,12 @@ impl Julia {
                 }
             }
             Map::Hypercomplex(map) => {
-                let orbit =
-                    map.orbit(Hypercomplex::from_vec(q), self.hyper_parameter(), self.steps, self.escape);
-                match orbit.escaped {
+                let start = Hypercomplex::from_vec(q);
+                match map.escape(start, self.hyper_parameter(), self.steps, self.escape) {
                     None => (true, self.least_step),
-                    Some(size) => {
-                        let newton = size / (-2.0 * orbit.gradient().dot(dir));
+                    Some(orbit) => {
+                        let size = orbit.escaped.unwrap_or(self.escape);
+                        let newton = size / (-map.growth_scale() * orbit.growth(dir));
                         let sane = self.least_step < newton && newton < 30.0 * self.least_step;
                         (false, if sane { newton } else { self.least_step })
                     }
@@ -150,15 +156,32 @@ impl Julia {
         }
     }
 
-    /// The border between two distances, just on its inner side.
+    /// The border between two distances, just on its inner side. Near the border orbits escape at the last step or not at
+    /// all, and the size there tells where between two points it is.
     fn border(&self, ray: &Ray, near: f64, far: f64, entering: bool) -> f64 {
         let (mut out, mut inner) = if entering { (near, far) } else { (far, near) };
+        // Logarithms of sizes against the one at which orbits escape.
+        let (mut above, mut below) = (f64::NAN, f64::NAN);
+        let mut turn = 0;
         while (out - inner).abs() > FINE {
             let middle = 0.5 * (out + inner);
             if middle == out || middle == inner {
                 break;
             }
-            if self.stays(ray.at(middle)) { inner = middle } else { out = middle }
+            // A little to either side of the guess, in turn, so that it is soon enclosed.
+            let nudge = if turn == 0 { 0.4 * FINE } else { -0.4 * FINE };
+            let share = below / (below - above);
+            let guess = inner + share * (out - inner) + nudge * (out - inner).signum();
+            let within = guess > out.min(inner) && guess < out.max(inner);
+            let at = if within && turn < 2 { guess } else { middle };
+            turn = (turn + 1) % 3;
+            let (step, size2) = self.last_size(ray.at(at));
+            let level = (size2 / self.escape).ln();
+            if step == self.steps {
+                (inner, below) = (at, level);
+            } else {
+                (out, above) = (at, if step + 1 == self.steps { level } else { f64::NAN });
+            }
         }
         inner
     }

@@ -10,6 +10,7 @@ pub(crate) enum Power {
 
 impl Power {
     /// The power of `q`; x is the real part.
+    #[inline(always)]
     fn of(self, q: Vec4) -> Vec4 {
         let imaginary = q.y * q.y + q.z * q.z + q.w * q.w;
         let (real, factor) = match self {
@@ -45,14 +46,41 @@ impl Power {
 
 /// `None` where the orbit of `q` stays bounded for `steps` steps, else a lower estimate of the distance to the set (Hart,
 /// Sandin and Kauffman, 1989).
-pub(crate) fn orbit(power: Power, mut q: Vec4, c: Vec4, steps: u32, escape: f64) -> Option<f64> {
+pub(crate) fn orbit(power: Power, q: Vec4, c: Vec4, steps: u32, escape: f64) -> Option<f64> {
     let mut product2 = 1.0;
-    for _ in 0..steps {
+    let (_, size2) = match power {
+        Power::Square => escape_of(Power::Square, q, c, (steps, escape), |f| product2 *= f),
+        Power::Cube => escape_of(Power::Cube, q, c, (steps, escape), |f| product2 *= f),
+    }?;
+    Some(0.25 * (size2 / product2).sqrt() * size2.ln())
+}
+
+/// The step at which the orbit escapes, or `steps`, and the squared size of the last number that was looked at.
+pub(crate) fn last_size(power: Power, q: Vec4, c: Vec4, steps: u32, escape: f64) -> (u32, f64) {
+    let mut last = 0.0;
+    let escaped = match power {
+        Power::Square => escape_of(Power::Square, q, c, (steps, escape), |f| last = f / 4.0),
+        Power::Cube => escape_of(Power::Cube, q, c, (steps, escape), |f| last = f / 9.0),
+    };
+    escaped.unwrap_or((steps, last))
+}
+
+/// The step at which the orbit escapes, and the squared size with which it does. `each` gets the squares of the sizes of
+/// the derivatives of the steps before.
+#[inline(always)]
+fn escape_of(
+    power: Power,
+    mut q: Vec4,
+    c: Vec4,
+    (steps, escape): (u32, f64),
+    mut each: impl FnMut(f64),
+) -> Option<(u32, f64)> {
+    for k in 0..steps {
         let size2 = q.length_squared();
         if size2.is_nan() || size2 > escape {
-            return Some(0.25 * (size2 / product2).sqrt() * size2.ln());
+            return Some((k, size2));
         }
-        product2 *= power.degree() * power.degree() * size2;
+        each(power.degree() * power.degree() * size2);
         q = power.of(q) + c;
     }
     None

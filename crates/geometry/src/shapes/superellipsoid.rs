@@ -2,7 +2,8 @@
 //!
 //! `f` is the norm-like `g(g(|x|, |y|; 2/e), |z|; 2/n) - 1` with `g(a, b; k) = (a^k + b^k)^(1/k)`. The planes where two
 //! coordinates are equal in size, or one is zero, cut a ray into pieces in which `f` bends one way only, so that two
-//! signs and two slopes tell how many roots a piece has.
+//! signs and two slopes tell how many roots a piece has. Where `f` is convex all over, as for most exponents, tangents
+//! from outside lead to the roots without any cuts.
 use raggio_math::{Aabb, EPS, Ray, Vec3};
 use smallvec::SmallVec;
 
@@ -13,29 +14,58 @@ const LEAST: f64 = 1e-4;
 /// The surface touches the unit cube; rays are followed a little beyond.
 const REACH: f64 = 1.01;
 
+/// Steps of Newton's method; only rays that nearly touch the surface need more than ten.
+const MOST_TANGENTS: u32 = 60;
+/// Values that count as zero.
+const TOUCHING: f64 = 1e-14;
+
 /// A superellipsoid.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Superellipsoid {
     /// `2/e`, of the round in x and y.
-    k: f64,
+    k: Exponent,
     /// `2/n`, of the round towards z.
-    m: f64,
+    m: Exponent,
+}
+
+/// An exponent; small whole ones need no logarithms.
+#[derive(Clone, Copy, Debug)]
+struct Exponent {
+    value: f64,
+    whole: Option<i32>,
+}
+
+impl Exponent {
+    fn new(value: f64) -> Self {
+        let whole = (value == value.trunc() && (1.0..=64.0).contains(&value)).then_some(value as i32);
+        Exponent { value, whole }
+    }
+
+    #[inline]
+    fn of(self, v: f64) -> f64 {
+        match self.whole {
+            Some(n) => v.powi(n),
+            None => v.powf(self.value),
+        }
+    }
 }
 
 /// A place on the ray: distance, value, slope along the ray.
 type Sample = (f64, f64, f64);
 
 /// `(a^k + b^k)^(1/k)` for numbers that are not negative, and its derivatives; the maximum norm where k is infinite.
-fn g(a: f64, b: f64, k: f64) -> (f64, f64, f64) {
+#[inline]
+fn g(a: f64, b: f64, k: Exponent) -> (f64, f64, f64) {
     let (high, low) = (a.max(b), a.min(b));
     if high == 0.0 {
         return (0.0, 0.0, 0.0);
     }
     let ratio = low / high;
-    let power = if low == 0.0 { 0.0 } else { ratio.powf(k) };
-    let value = if k.is_finite() { high * (1.0 + power).powf(1.0 / k) } else { high };
+    let power = if low == 0.0 { 0.0 } else { k.of(ratio) };
+    let grown = 1.0 + power;
+    let value = if grown > 1.0 && k.value.is_finite() { high * grown.powf(1.0 / k.value) } else { high };
     // With s = 1 + power: d value / d high = s^(1/k - 1), d value / d low = the same times ratio^(k - 1).
-    let d_high = value / high / (1.0 + power);
+    let d_high = value / high / grown;
     let d_low = if ratio > 0.0 { d_high * power / ratio } else { 0.0 };
     if a >= b { (value, d_high, d_low) } else { (value, d_low, d_high) }
 }
@@ -43,7 +73,7 @@ fn g(a: f64, b: f64, k: f64) -> (f64, f64, f64) {
 impl Superellipsoid {
     /// Exponents as the language writes them.
     pub(crate) fn new(e: f64, n: f64) -> Self {
-        Superellipsoid { k: 2.0 / e, m: 2.0 / n }
+        Superellipsoid { k: Exponent::new(2.0 / e), m: Exponent::new(2.0 / n) }
     }
 
     fn value(&self, p: Vec3) -> f64 {
@@ -71,6 +101,9 @@ impl Superellipsoid {
         if lo.is_nan() || hi.is_nan() || lo >= hi {
             return;
         }
+        if self.bends_one_way() {
+            return self.search_convex(ray, (lo, hi), to);
+        }
         let mut left = self.sample(ray, lo);
         for t in cuts(ray, lo, hi) {
             let right = self.sample(ray, t);
@@ -80,6 +113,40 @@ impl Superellipsoid {
             }
             left = right;
         }
+    }
+
+    /// The roots of a convex function: the first from the left, the other from the right.
+    fn search_convex(&self, ray: &Ray, (lo, hi): (f64, f64), to: &mut impl Collect) {
+        let start = self.sample(ray, lo);
+        if start.1 > 0.0 {
+            let Some(entry) = self.by_tangents(ray, start, hi) else { return };
+            if !to.take(LocalHit::at(entry)) {
+                return;
+            }
+        }
+        let end = self.sample(ray, hi);
+        if end.1 > 0.0
+            && let Some(exit) = self.by_tangents(ray, end, lo)
+        {
+            to.push(LocalHit::at(exit));
+        }
+    }
+
+    /// Newton's method from outside: tangents of a convex function never lead beyond the root.
+    fn by_tangents(&self, ray: &Ray, mut at: Sample, limit: f64) -> Option<f64> {
+        let direction = limit - at.0;
+        for _ in 0..MOST_TANGENTS {
+            let step = -at.1 / at.2;
+            // Away from the root, or beyond the end: there is none.
+            if !(step * direction > 0.0 && step.abs() <= (limit - at.0).abs()) {
+                return (at.1 <= TOUCHING).then_some(at.0);
+            }
+            at = self.sample(ray, at.0 + step);
+            if at.1 <= TOUCHING {
+                return Some(at.0);
+            }
+        }
+        None
     }
 
     /// A piece without creases.
@@ -127,7 +194,7 @@ impl Superellipsoid {
 
     /// With both exponents at least 1 in the norm, `f` is convex everywhere.
     fn bends_one_way(&self) -> bool {
-        self.k >= 1.0 && self.m >= 1.0
+        self.k.value >= 1.0 && self.m.value >= 1.0
     }
 
     /// The root between two samples of different sign: false position with the Illinois rule, inside a bracket.
@@ -192,8 +259,8 @@ impl Surface for Superellipsoid {
         if a == 0.0 {
             return Vec3::Z.copysign(p);
         }
-        let k = if b == 0.0 { 0.0 } else { (b / a).powf(self.k) };
-        let w = if q.z == 0.0 { 0.0 } else { q.z.powf(self.m) };
+        let k = if b == 0.0 { 0.0 } else { self.k.of(b / a) };
+        let w = if q.z == 0.0 { 0.0 } else { self.m.of(q.z) };
         let over = |x: f64, v: f64| if v == 0.0 { 0.0 } else { x / v };
         let (long, short) = (1.0 - w, (1.0 - w) * k);
         let (x, y) = if q.x > q.y { (long, short) } else { (short, long) };

@@ -1,5 +1,6 @@
 //! From light to whole numbers: alpha, gamma, dithering, rounding (language spec, sections 5.5 and 5.6).
 use super::dither::{Rounder, rounded};
+use super::steps::Steps;
 use super::{EncodeOptions, Picture};
 use crate::{Bitmap, Curve, FileCurve, Format, Pixels, Rgb, grey};
 
@@ -13,6 +14,20 @@ pub fn develop(picture: &Picture, options: &EncodeOptions) -> Bitmap {
     let has_alpha = options.alpha && matches!(options.format, Format::Png | Format::Tga | Format::Bmp);
     let is_grey = options.grey && matches!(options.format, Format::Png | Format::Pnm);
     let max = f32::from(u16::MAX >> (16 - bits));
+
+    let curve = if options.working.is_some() { options.file } else { Curve::Srgb };
+    let bitmap = |pixels: Pixels| Bitmap {
+        width: picture.width,
+        height: picture.height,
+        pixels,
+        curve: FileCurve::Stated(curve),
+        premultiplied: false,
+    };
+    if bits == 8 && !wide && !has_alpha && !is_grey && options.dither.is_none() {
+        let steps = Steps::new(|v| options.working.map_or(v, |working| working.convert(options.file, v)));
+        let bytes = picture.pixels.iter().map(|&[r, g, b, _]| [r, g, b].map(|v| steps.byte(v)));
+        return bitmap(Pixels::Rgb8(bytes.collect()));
+    }
 
     let pixels: Vec<[f32; 4]> =
         picture.pixels.iter().map(|&p| if has_alpha { straight(p) } else { opaque(p) }).collect();
@@ -37,14 +52,7 @@ pub fn develop(picture: &Picture, options: &EncodeOptions) -> Bitmap {
     if has_alpha {
         channels.push(alpha());
     }
-    let curve = if options.working.is_some() { options.file } else { Curve::Srgb };
-    Bitmap {
-        width: picture.width,
-        height: picture.height,
-        pixels: gathered(&channels, wide),
-        curve: FileCurve::Stated(curve),
-        premultiplied: false,
-    }
+    bitmap(gathered(&channels, wide))
 }
 
 /// Colour divided by alpha. Where a colour is brighter than its alpha allows, alpha is raised first.

@@ -2,6 +2,7 @@
 mod develop;
 mod dither;
 mod files;
+mod steps;
 mod tga;
 
 use std::io::Write;

@@ -17,22 +17,27 @@ macro_rules! take {
 }
 pub(super) use take;
 
-fn check<T>(p: &mut Parser, value: T, finite: bool) -> Result<T> {
-    if finite {
-        return Ok(value);
+/// Stands for infinity, which divisions by zero give: farther away than anything that is looked at.
+const FAR: f64 = 1e12;
+
+/// Numbers that an engine can work with: what is infinite becomes far away, and what is no number at all is an error.
+fn tame<const N: usize>(p: &mut Parser, mut values: [f64; N]) -> Result<[f64; N]> {
+    if values.iter().all(|v| v.is_finite()) {
+        return Ok(values);
     }
     let span = p.span();
-    p.error(
-        "not-finite",
-        "this number is infinite or not a number; a value before here divides by zero",
-        span,
-    )
+    if values.iter().any(|v| v.is_nan()) {
+        return p.error("not-finite", "what stands before here is not a number", span);
+    }
+    p.warn("not-finite", "what stands before here is infinite, from a division by zero; 1e12 is taken", span);
+    values.iter_mut().filter(|v| v.is_infinite()).for_each(|v| *v = FAR.copysign(*v));
+    Ok(values)
 }
 
 /// A finite number.
 pub fn float(p: &mut Parser) -> Result<f64> {
     let value = p.float()?;
-    check(p, value, value.is_finite())
+    tame(p, [value]).map(|[v]| v)
 }
 
 /// A finite number in single precision.
@@ -54,13 +59,13 @@ pub fn optional_second(p: &mut Parser) -> Result<Option<f64>> {
 /// A finite vector of two.
 pub fn vec2(p: &mut Parser) -> Result<Vec2> {
     let value = p.vec2()?;
-    check(p, value, value.is_finite())
+    tame(p, value.to_array()).map(Vec2::from_array)
 }
 
 /// A finite vector of three.
 pub fn vec3(p: &mut Parser) -> Result<Vec3> {
     let value = p.vec3()?;
-    check(p, value, value.is_finite())
+    tame(p, value.to_array()).map(Vec3::from_array)
 }
 
 /// A finite vector of three, with a comma before it if there is one.
@@ -72,14 +77,15 @@ pub fn comma_vec3(p: &mut Parser) -> Result<Vec3> {
 /// A finite vector of four.
 pub fn vec4(p: &mut Parser) -> Result<[f64; 4]> {
     let value = p.vec4()?;
-    check(p, value, value.iter().all(|c| c.is_finite()))
+    tame(p, value)
 }
 
 /// A colour with finite channels.
 pub fn color(p: &mut Parser) -> Result<Color> {
-    let value = p.color()?;
-    let finite = value.rgb.is_finite() && value.filter.is_finite() && value.transmit.is_finite();
-    check(p, value, finite)
+    let Color { rgb, filter, transmit } = p.color()?;
+    let channels = [rgb.x, rgb.y, rgb.z, filter, transmit].map(f64::from);
+    let [r, g, b, filter, transmit] = tame(p, channels)?.map(|v| v as f32);
+    Ok(Color { rgb: Rgb::new(r, g, b), filter, transmit })
 }
 
 /// A colour of which only the light counts.

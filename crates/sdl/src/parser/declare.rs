@@ -265,7 +265,12 @@ impl Parser<'_> {
 
     /// The semicolon: required after numbers and colours, optional after anything else.
     fn end_declaration(&mut self, kind: Kind, symbol: Symbol, name: Span) -> Result<()> {
-        if self.accept_raw_semicolon()? || !matches!(kind, Kind::Float | Kind::Vector | Kind::Color) {
+        let numeric = matches!(kind, Kind::Float | Kind::Vector | Kind::Color);
+        if self.accept_raw_semicolon()? {
+            // After numbers one too many is forgiven, as `#include "numbers.inc";` leaves behind.
+            return if numeric { self.accept_raw_semicolon().map(|_| ()) } else { Ok(()) };
+        }
+        if !numeric {
             return Ok(());
         }
         match self.lang() {
@@ -295,12 +300,12 @@ impl Parser<'_> {
         }
     }
 
-    /// Consumes a semicolon if it comes next, executing nothing on the way but the return from macros.
+    /// Consumes a semicolon if it comes next, executing nothing on the way but the return from macros and files.
     pub(super) fn accept_raw_semicolon(&mut self) -> Result<bool> {
         if let Some(tok) = self.cursor.ahead {
             return if tok == Tok::Punct(';') { self.next().map(|_| true) } else { Ok(false) };
         }
-        while self.cursor.frame.pos >= self.cursor.frame.end && self.cursor.frame.of_macro.is_some() {
+        while self.cursor.frame.pos >= self.cursor.frame.end && self.cursor.frame.call.is_some() {
             if !self.leave_frame()? {
                 break;
             }

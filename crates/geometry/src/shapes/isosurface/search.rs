@@ -50,6 +50,11 @@ impl Grid {
     fn not_before(&self, t: f64) -> u64 {
         (((t - self.start) / self.step).ceil() as u64).min(self.count)
     }
+
+    /// The last point that is not after `t`.
+    fn not_after(&self, t: f64) -> u64 {
+        (((t - self.start) / self.step).floor() as u64).min(self.count)
+    }
 }
 
 /// The function at a point of the grid.
@@ -89,9 +94,14 @@ impl Search<'_> {
         let (mut at, mut part) = (first, Part { from: 0, to: 0, slope: None });
         let ray = self.ray;
         let found = field.walk(&ray, (start.0, end.min(limit + grid.step)), |stretch| {
-            let to = grid.not_before(stretch.to);
             let slope = self.telling_slope(&stretch);
             let empty = if self.sign > 0.0 { stretch.value.lo > 0.0 } else { stretch.value.hi < 0.0 };
+            // The first point behind an empty stretch need not be above zero.
+            let to = if empty && stretch.to < end {
+                grid.not_after(stretch.to)
+            } else {
+                grid.not_before(stretch.to)
+            };
             if to <= part.to {
                 return ControlFlow::Continue(());
             }
