@@ -51,15 +51,13 @@ impl Slab {
             far: [3, 4, 5],
         };
         for k in 0..3 {
-            let backwards = ray.dir[k] < 0.0;
-            let inverse = (1.0 / ray.dir[k] as f32).abs().min(MAX_INVERSE);
-            slab.inverse[k] = if backwards { -inverse } else { inverse };
+            // A direction of -0 counts as backwards throughout.
+            let (origin, dir) = (ray.origin[k] as f32, ray.dir[k] as f32);
+            slab.inverse[k] = (1.0 / dir).clamp(-MAX_INVERSE, MAX_INVERSE);
             // More than the rounding to single precision may have done.
-            let origin = ray.origin[k] as f32;
-            let reach = origin.abs() * ORIGIN_REACH + LEAST_REACH;
-            let reach = if backwards { -reach } else { reach };
+            let reach = (origin.abs() * ORIGIN_REACH + LEAST_REACH).copysign(dir);
             (slab.origin_near[k], slab.origin_far[k]) = (origin + reach, origin - reach);
-            let side = 3 * usize::from(backwards);
+            let side = 3 * (dir.to_bits() >> 31) as usize;
             (slab.near[k], slab.far[k]) = (k + side, k + 3 - side);
         }
         slab

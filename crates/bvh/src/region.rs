@@ -41,7 +41,9 @@ impl Region {
         let mut outside = [false; WIDTH];
         for k in 0..3 {
             for (i, out) in outside.iter_mut().enumerate() {
-                *out |= !(node.sides[k][i] <= max[k] && min[k] <= node.sides[k + 3][i]);
+                let (lo, hi) = (node.sides[k][i], node.sides[k + 3][i]);
+                // A place without a box reaches nowhere, not even into all of space.
+                *out |= !(lo <= hi && lo <= max[k] && min[k] <= hi);
             }
         }
         for i in (0..WIDTH).filter(|&i| !outside[i]) {
@@ -104,6 +106,10 @@ mod tests {
         let mut few = Vec::new();
         BoxRow::new(&boxes).within(&region, |i, _| few.push(i));
         assert_eq!(few, [0, 2, 5]);
+        few.clear();
+        let all = Region { bounds: Aabb::INFINITE, planes: [(Vec3::ZERO, 0.0); 4] };
+        BoxRow::new(&boxes).within(&all, |i, _| few.push(i));
+        assert_eq!(few, [0, 1, 2, 3, 5]);
         let many: Vec<Aabb> =
             (0..400).map(|i| at(f64::from(i % 20) * 0.3, f64::from(i / 20) * 0.3)).collect();
         let mut found = Vec::new();

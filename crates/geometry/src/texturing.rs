@@ -47,14 +47,14 @@ impl Texturing<'_> {
             return smallvec![whole(texture)];
         }
         if self.parts.is_empty() {
-            return material.texture.map(whole).into_iter().collect();
+            return alone(material.texture);
         }
         let Some(parts) = self.parts.get(&hit.leaf) else {
-            return material.texture.map(whole).into_iter().collect();
+            return alone(material.texture);
         };
         let object = match parts.cutaway {
             Some(cutaway) => self.cut(&cutaway, p),
-            None => material.texture.map(whole).into_iter().collect(),
+            None => alone(material.texture),
         };
         match parts.textures.is_empty() {
             true => object,
@@ -119,6 +119,16 @@ impl Texturing<'_> {
             }
         }
     }
+}
+
+/// The object's texture, if it has one.
+#[inline]
+fn alone(texture: Option<TextureId>) -> Uses {
+    let mut uses = Uses::new();
+    if let Some(texture) = texture {
+        uses.push(whole(texture));
+    }
+    uses
 }
 
 fn whole(texture: TextureId) -> TextureUse {

@@ -164,7 +164,7 @@ macro_rules! kernel {
                 walk(bvh, &boxes, ray.t_max, |block, t_max| {
                     let (mask, t) = single.hit(block, t_max);
                     if mask != 0 {
-                        nearest = nearest_lane(block, mask, t);
+                        nearest = nearest_lane(block, t);
                     }
                     nearest.t
                 });

@@ -59,25 +59,17 @@ macro_rules! leaf_tests {
                 let after = _mm_cmpge_ps(t, self.t_min);
                 let before = _mm_cmple_ps(t, _mm_set1_ps(t_max));
                 let ok = _mm_and_ps(one_sided, _mm_and_ps(after, before));
-                (_mm_movemask_ps(ok) as u32, t)
+                (_mm_movemask_ps(ok) as u32, _mm_blendv_ps(_mm_set1_ps(f32::INFINITY), t, ok))
             }
         }
 
         #[inline]
         #[target_feature(enable = $features)]
-        fn nearest_lane(block: &Block, mut mask: u32, t: __m128) -> MeshHit {
-            let mut lanes = [0.0f32; 4];
-            // SAFETY: four floats are written to an array of four.
-            unsafe { _mm_storeu_ps(lanes.as_mut_ptr(), t) };
-            let mut best = (f32::INFINITY, 0usize);
-            while mask != 0 {
-                let lane = mask.trailing_zeros() as usize & 3;
-                mask &= mask - 1;
-                if lanes[lane] < best.0 {
-                    best = (lanes[lane], lane);
-                }
-            }
-            MeshHit { t: best.0, triangle: block.triangle[best.1] }
+        fn nearest_lane(block: &Block, t: __m128) -> MeshHit {
+            let pairs = _mm_min_ps(t, _mm_shuffle_ps::<0b10_11_00_01>(t, t));
+            let least = _mm_min_ps(pairs, _mm_shuffle_ps::<0b01_00_11_10>(pairs, pairs));
+            let lane = _mm_movemask_ps(_mm_cmpeq_ps(t, least)).trailing_zeros() as usize & 3;
+            MeshHit { t: _mm_cvtss_f32(least), triangle: block.triangle[lane] }
         }
 
         /// A ray in double precision.

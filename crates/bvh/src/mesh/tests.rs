@@ -222,3 +222,31 @@ fn large_meshes_are_the_same_for_any_number_of_threads() {
         assert!(found, "{i}");
     }
 }
+
+#[test]
+fn broken_rays_end_and_hit_nothing() {
+    let (vertices, triangles) = soup(100, 0.5, &mut Random(13));
+    let mut bvh = MeshBvh::build(&vertices, &triangles);
+    for isa in wide::Isa::all() {
+        bvh.isa = isa;
+        for bad in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
+            for k in 0..3 {
+                let mut broken = [0.1, 0.2, 0.3];
+                broken[k] = bad;
+                for single in [ray(broken, [0.0, 0.0, 1.0]), ray([0.0; 3], broken)] {
+                    // What is infinite may seem to hit in single precision; it must end.
+                    let hits = bvh.closest(&single).is_some() | bvh.any(&single);
+                    assert!(!hits || bad.is_infinite(), "{isa:?} {single:?}");
+                    let vector = |p: [f32; 3]| Vec3::from_array(p.map(f64::from));
+                    let double = Ray::new(vector(single.origin), vector(single.dir));
+                    assert!(bvh.nearest(&double, (0.0, 10.0), |_| false).is_none());
+                    bvh.all(&double, (0.0, 10.0), |hit| panic!("{isa:?} {double:?} {hit:?}"));
+                }
+            }
+        }
+        let good = Ray::new(Vec3::new(0.0, 0.0, -3.0), Vec3::Z);
+        for range in [(f64::NAN, 1.0), (0.0, f64::NAN), (5.0, 1.0), (f64::INFINITY, f64::INFINITY)] {
+            assert!(bvh.nearest(&good, range, |_| false).is_none(), "{isa:?} {range:?}");
+        }
+    }
+}

@@ -88,10 +88,11 @@ impl Surface for Parametric {
 
     fn closest(&self, ray: &Ray, range: (f64, f64)) -> Option<LocalHit> {
         let (enter, leave) = container::span(&self.container, ray)?;
-        let least = (enter.max(0.0) + 4.0 * self.accuracy).max(range.0).max(LEAST);
+        // What is nearer than the range hides what is farther, as only one hit is known of.
+        let least = (enter.max(0.0) + 4.0 * self.accuracy).max(LEAST);
         let mut hits = Hits::new();
         self.tree.hits(ray, (least, leave.min(range.1)), 0, true, &mut hits);
-        hits.into_iter().min_by(|a, b| a.t.total_cmp(&b.t))
+        hits.into_iter().min_by(|a, b| a.t.total_cmp(&b.t)).filter(|hit| hit.t > range.0)
     }
 
     fn bounds(&self) -> Aabb {

@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use crate::mesh::LANES;
 
 /// Most bins along an axis.
-const BINS: usize = 32;
+const BINS: usize = 64;
 /// Runs this short do with [`FEW_BINS`].
 const SHORT: usize = 80;
 const FEW_BINS: usize = 8;
