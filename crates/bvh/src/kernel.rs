@@ -111,8 +111,8 @@ impl Kernel for Scalar {
         for i in 0..WIDTH {
             let (mut near, mut far) = (t0, t1);
             for k in 0..3 {
-                let a = (node.sides[slab.near[k]][i] - slab.origin_near[k]) * slab.inverse[k];
-                let b = (node.sides[slab.far[k]][i] - slab.origin_far[k]) * slab.inverse[k] * SLACK;
+                let a = (node.bounds[slab.near[k]][i] - slab.origin_near[k]) * slab.inverse[k];
+                let b = (node.bounds[slab.far[k]][i] - slab.origin_far[k]) * slab.inverse[k] * SLACK;
                 near = if a > near { a } else { near };
                 far = if b < far { b } else { far };
             }
@@ -144,7 +144,7 @@ impl Kernel for Avx2 {
         let slack = _mm256_set1_ps(SLACK);
         for k in 0..3 {
             let inverse = _mm256_set1_ps(slab.inverse[k]);
-            let (enter, leave) = (&node.sides[slab.near[k]], &node.sides[slab.far[k]]);
+            let (enter, leave) = (&node.bounds[slab.near[k]], &node.bounds[slab.far[k]]);
             // SAFETY: both point to eight floats, aligned to 32 bytes as rows of a `Node`.
             let (enter, leave) = unsafe { (_mm256_load_ps(enter.as_ptr()), _mm256_load_ps(leave.as_ptr())) };
             let a = _mm256_mul_ps(_mm256_sub_ps(enter, _mm256_set1_ps(slab.origin_near[k])), inverse);

@@ -17,7 +17,8 @@ pub(crate) enum Kind {
 }
 
 impl Child {
-    const LEAF: u32 = 1 << 31;
+    /// Marks the word of a leaf.
+    pub(crate) const LEAF: u32 = 1 << 31;
 
     pub(crate) fn inner(index: usize) -> Self {
         Child(index as u32)
@@ -26,6 +27,11 @@ impl Child {
     /// `count` is in `1..=MAX_LEAF`, `start` below 2^28.
     pub(crate) fn leaf(start: usize, count: usize) -> Self {
         Child(Self::LEAF | (start as u32) << 3 | (count as u32 - 1))
+    }
+
+    /// A leaf whose run has moved up by so many primitives.
+    pub(crate) fn moved(self, by: usize) -> Self {
+        Child(self.0 + ((by as u32) << 3))
     }
 
     /// The child as a number.
@@ -50,18 +56,19 @@ impl Child {
     }
 }
 
-/// Eight boxes and what they hold. `sides[axis]` are the lower sides, `sides[axis + 3]` the upper ones. Unused places
-/// have a box that nothing touches.
-#[derive(Clone, Debug)]
+/// Eight boxes and what they hold. Unused places have a box that nothing touches.
+#[derive(Clone, Copy, Debug)]
 #[repr(C, align(32))]
 pub(crate) struct Node {
-    pub(crate) sides: [[f32; WIDTH]; 6],
-    pub(crate) children: [Child; WIDTH],
+    /// Least corners, one row an axis, then greatest corners: rows 0..3 and 3..6.
+    pub(crate) bounds: [[f32; WIDTH]; 6],
+    /// Indices of nodes, or what each kind of tree marks with [`Child::LEAF`].
+    pub(crate) child: [u32; WIDTH],
 }
 
 impl Node {
     pub(crate) const EMPTY: Node = Node {
-        sides: [
+        bounds: [
             [f32::INFINITY; WIDTH],
             [f32::INFINITY; WIDTH],
             [f32::INFINITY; WIDTH],
@@ -69,6 +76,12 @@ impl Node {
             [f32::NEG_INFINITY; WIDTH],
             [f32::NEG_INFINITY; WIDTH],
         ],
-        children: [Child(0); WIDTH],
+        child: [Child::LEAF; WIDTH],
     };
+
+    /// A child in a tree over boxes.
+    #[inline(always)]
+    pub(crate) fn child(&self, place: usize) -> Child {
+        Child(self.child[place])
+    }
 }

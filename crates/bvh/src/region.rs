@@ -19,7 +19,7 @@ pub struct Region {
 
 /// The box of a child.
 fn child_box(node: &Node, i: usize) -> Aabb {
-    let corner = |at: usize| Vec3::from([0, 1, 2].map(|k| f64::from(node.sides[at + k][i])));
+    let corner = |at: usize| Vec3::from([0, 1, 2].map(|k| f64::from(node.bounds[at + k][i])));
     Aabb { min: corner(0), max: corner(3) }
 }
 
@@ -41,7 +41,7 @@ impl Region {
         let mut outside = [false; WIDTH];
         for k in 0..3 {
             for (i, out) in outside.iter_mut().enumerate() {
-                let (lo, hi) = (node.sides[k][i], node.sides[k + 3][i]);
+                let (lo, hi) = (node.bounds[k][i], node.bounds[k + 3][i]);
                 // A place without a box reaches nowhere, not even into all of space.
                 *out |= !(lo <= hi && lo <= max[k] && min[k] <= hi);
             }
@@ -78,7 +78,7 @@ impl Bvh {
         }
         while let (Some(index), false) = (stack.pop(), enough) {
             let node = &self.nodes[index as usize];
-            region.children(limits, node, |i, b| match node.children[i].kind() {
+            region.children(limits, node, |i, b| match node.child(i).kind() {
                 Kind::Inner(inner) => stack.push(inner as u32),
                 Kind::Leaf(run) => {
                     enough = enough || self.prims[run].iter().any(|&prim| visit(prim, b));

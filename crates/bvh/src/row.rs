@@ -43,8 +43,8 @@ impl BoxRow {
         let mut node = Node::EMPTY;
         for (i, b) in boxes.iter().take(WIDTH).enumerate().filter(|(_, b)| !b.is_empty()) {
             for k in 0..3 {
-                node.sides[k][i] = down(b.min[k]);
-                node.sides[k + 3][i] = up(b.max[k]);
+                node.bounds[k][i] = down(b.min[k]);
+                node.bounds[k + 3][i] = up(b.max[k]);
             }
         }
         BoxRow { node, simd: simd_available() }

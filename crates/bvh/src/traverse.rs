@@ -151,10 +151,10 @@ impl Bvh {
                     let mut outside = [false; WIDTH];
                     for k in 0..3 {
                         for (i, out) in outside.iter_mut().enumerate() {
-                            *out |= !(node.sides[k][i] <= hi[k] && lo[k] <= node.sides[k + 3][i]);
+                            *out |= !(node.bounds[k][i] <= hi[k] && lo[k] <= node.bounds[k + 3][i]);
                         }
                     }
-                    stack.extend((0..WIDTH).filter(|&i| !outside[i]).map(|i| node.children[i]));
+                    stack.extend((0..WIDTH).filter(|&i| !outside[i]).map(|i| node.child(i)));
                 }
             }
         }
@@ -191,7 +191,7 @@ impl Bvh {
                         let mask = unsafe { K::test(node, slab, t0, t1, &mut near, &mut far) };
                         // An only child needs no stack.
                         if mask & mask.wrapping_sub(1) == 0 && mask != 0 {
-                            child = node.children[mask.trailing_zeros() as usize & 7];
+                            child = node.child(mask.trailing_zeros() as usize & 7);
                             continue;
                         }
                         push_sorted(&mut stack, node, mask, &near);
@@ -220,7 +220,7 @@ fn push_sorted(stack: &mut Stack<'_>, node: &Node, mut mask: u32, near: &[f32; W
     while mask != 0 {
         let i = mask.trailing_zeros() as usize & 7;
         mask &= mask - 1;
-        stack.insert(base, entry(near[i], node.children[i]));
+        stack.insert(base, entry(near[i], node.child(i)));
     }
 }
 

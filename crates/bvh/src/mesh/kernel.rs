@@ -12,7 +12,7 @@ macro_rules! kernel {
             use crate::kernel::{SLACK, Slab};
             use crate::mesh::double::Sheared;
             use crate::mesh::scalar::{Prepared, slab};
-            use crate::mesh::{Block, LEAF, MeshBvh, MeshHit, MeshRay, Node, STACK, TriangleHit};
+            use crate::mesh::{Block, LEAF, MeshBvh, MeshHit, MeshRay, Node, ROOT, STACK, TriangleHit};
             use crate::round::{down, up};
 
             leaf_tests!($features);
@@ -94,7 +94,7 @@ macro_rules! kernel {
             fn walk(bvh: &MeshBvh, boxes: &Boxes, mut t_max: f32, mut leaf: impl FnMut(&Block, f32) -> f32) {
                 let mut stack = [MaybeUninit::<Entry>::uninit(); STACK];
                 let mut top = 0usize;
-                let mut word = bvh.root;
+                let mut word = ROOT;
                 loop {
                     while word & LEAF == 0 {
                         // SAFETY: child words are indices that the builder made.
@@ -178,7 +178,7 @@ macro_rules! kernel {
                 let t_max = _mm256_set1_ps(ray.t_max);
                 let mut stack = [MaybeUninit::<u32>::uninit(); STACK];
                 let mut top = 0usize;
-                let mut word = bvh.root;
+                let mut word = ROOT;
                 loop {
                     while word & LEAF == 0 {
                         // SAFETY: child words are indices that the builder made.

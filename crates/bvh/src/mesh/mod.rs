@@ -22,6 +22,9 @@ mod wide;
 
 use raggio_math::{Aabb, Ray};
 
+use crate::build::{MAX_DEPTH, Tree};
+use crate::node::{Child, Node};
+
 /// A ray in single precision with the range that counts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C, align(32))]
@@ -58,16 +61,6 @@ pub struct TriangleHit {
     pub v: f64,
 }
 
-/// Eight boxes and what is in them. Unused children have boxes that nothing hits.
-#[derive(Clone, Copy, Debug)]
-#[repr(C, align(32))]
-pub(crate) struct Node {
-    /// Least corners, one row an axis, then greatest corners: rows 0..3 and 3..6.
-    pub bounds: [[f32; 8]; 6],
-    /// [`Child`] words.
-    pub child: [u32; 8],
-}
-
 /// Triangles in a block.
 pub(crate) const LANES: usize = 4;
 
@@ -82,17 +75,19 @@ pub(crate) struct Block {
 }
 
 /// Marks a child word as a leaf: the rest is the index of its [`Block`].
-pub(crate) const LEAF: u32 = 1 << 31;
+pub(crate) const LEAF: u32 = Child::LEAF;
+
+/// The word of the root.
+pub(crate) const ROOT: u32 = 0;
 
 /// No traversal keeps more than this many children waiting: depth is bounded by the builder.
-pub(crate) const STACK: usize = build::MAX_DEPTH * 7 + 8;
+pub(crate) const STACK: usize = MAX_DEPTH * 7 + 8;
 
 /// A search structure over the triangles of a mesh.
 #[derive(Debug)]
 pub struct MeshBvh {
     pub(crate) nodes: Vec<Node>,
     pub(crate) blocks: Vec<Block>,
-    root: u32,
     bounds: Aabb,
     isa: wide::Isa,
 }
@@ -148,9 +143,9 @@ pub struct PacketHit {
 impl MeshBvh {
     /// Builds over triangles given by indices into `vertices`. Coordinates must be finite.
     pub fn build(vertices: &[[f32; 3]], triangles: &[[u32; 3]]) -> MeshBvh {
-        let (build::Tree { nodes, blocks, root }, bounds) = build::build(vertices, triangles);
+        let (Tree { nodes, leaves: blocks }, bounds) = build::build(vertices, triangles);
         let isa = *wide::Isa::all().last().unwrap_or(&wide::Isa::Scalar);
-        MeshBvh { nodes, blocks, root, bounds, isa }
+        MeshBvh { nodes, blocks, bounds, isa }
     }
 
     /// A box around all triangles.

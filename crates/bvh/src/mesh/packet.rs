@@ -43,7 +43,7 @@ mod x86 {
     use std::mem::MaybeUninit;
 
     use crate::kernel::SLACK;
-    use crate::mesh::{Block, LEAF, MeshBvh, Node, Packet, PacketHit, STACK};
+    use crate::mesh::{Block, LEAF, MeshBvh, Node, Packet, PacketHit, ROOT, STACK};
 
     /// A packet whose rays all go into the same octant, and bounds over them.
     struct Bundle {
@@ -235,7 +235,7 @@ mod x86 {
     ) {
         let mut room = [MaybeUninit::uninit(); STACK];
         let mut stack = Stack { entries: &mut room, top: 0 };
-        stack.push(0, 0.0, bvh.root);
+        stack.push(0, 0.0, ROOT);
         let mut t_high = _mm512_reduce_max_ps(t_max);
         while let Some((t, word)) = stack.pop() {
             if t > t_high {

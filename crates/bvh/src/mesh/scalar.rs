@@ -3,7 +3,7 @@
 use raggio_math::Ray;
 
 use super::double::Sheared;
-use super::{Block, LANES, LEAF, MeshBvh, MeshHit, MeshRay, Node, STACK, TriangleHit};
+use super::{Block, LANES, LEAF, MeshBvh, MeshHit, MeshRay, Node, ROOT, STACK, TriangleHit};
 use crate::kernel::{SLACK, Slab};
 use crate::round::{down, up};
 
@@ -58,7 +58,7 @@ fn child_entry(node: &Node, slot: usize, slab: &Slab, t_min: f32, t_max: f32) ->
 /// nothing interests any more and answers with the new one, a negative one to end the search.
 fn walk(bvh: &MeshBvh, slab: &Slab, t_min: f32, mut t_max: f32, mut leaf: impl FnMut(&Block, f32) -> f32) {
     let mut stack: Vec<(f32, u32)> = Vec::with_capacity(STACK);
-    stack.push((t_min, bvh.root));
+    stack.push((t_min, ROOT));
     while let Some((entry, word)) = stack.pop() {
         if entry > t_max {
             continue;

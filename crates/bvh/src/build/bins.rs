@@ -1,35 +1,31 @@
-//! Boxes of triangles, and where best to cut a run of them: the surface area heuristic over bins.
+//! Boxes of primitives, and where best to cut a run of them: the surface area heuristic over bins.
 //!
-//! After Wald: "On fast Construction of SAH-based Bounding Volume Hierarchies" (2007). Costs count leaf blocks of four,
-//! so leaves come out full.
+//! After Wald: "On fast Construction of SAH-based Bounding Volume Hierarchies" (2007).
 use raggio_math::{Aabb, Vec3};
 use rayon::prelude::*;
 
-use crate::mesh::LANES;
+use super::Leaves;
 
-/// Most bins along an axis.
+/// Most bins along an axis; a power of two.
 const BINS: usize = 64;
-/// Runs this short do with [`FEW_BINS`].
-const SHORT: usize = 80;
+/// Short runs need no more bins than this; a power of two.
 const FEW_BINS: usize = 8;
-/// What visiting a node costs, in tests of a block.
-const NODE_COST: f32 = 1.0;
 /// Longer runs are shared among threads, in chunks of this.
-const CHUNK: usize = 1 << 16;
+const CHUNK: usize = 1 << 14;
 
 /// A box that grows. The fourth lane is not looked at.
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(16))]
-pub(super) struct Bounds {
-    pub(super) lo: [f32; 4],
-    pub(super) hi: [f32; 4],
+pub(crate) struct Bounds {
+    pub(crate) lo: [f32; 4],
+    pub(crate) hi: [f32; 4],
 }
 
 impl Bounds {
-    pub(super) const EMPTY: Bounds = Bounds { lo: [f32::INFINITY; 4], hi: [f32::NEG_INFINITY; 4] };
+    pub(crate) const EMPTY: Bounds = Bounds { lo: [f32::INFINITY; 4], hi: [f32::NEG_INFINITY; 4] };
 
     #[inline(always)]
-    pub(super) fn grow(&mut self, other: &Bounds) {
+    pub(crate) fn grow(&mut self, other: &Bounds) {
         for k in 0..4 {
             self.lo[k] = if other.lo[k] < self.lo[k] { other.lo[k] } else { self.lo[k] };
             self.hi[k] = if other.hi[k] > self.hi[k] { other.hi[k] } else { self.hi[k] };
@@ -42,41 +38,38 @@ impl Bounds {
         if d[0] < 0.0 { 0.0 } else { d[0] * d[1] + d[1] * d[2] + d[2] * d[0] }
     }
 
-    pub(super) fn aabb(&self) -> Aabb {
+    pub(crate) fn aabb(&self) -> Aabb {
         let corner = |c: &[f32; 4]| Vec3::new(f64::from(c[0]), f64::from(c[1]), f64::from(c[2]));
         Aabb { min: corner(&self.lo), max: corner(&self.hi) }
     }
 }
 
-/// A triangle while the tree is built: its box, and its number in the fourth lane, where no number below 2^30 makes
+/// A primitive while the tree is built: its box, and its number in the fourth lane, where no number below 2^30 makes
 /// anything but a small positive float.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Prim(Bounds);
+pub(crate) struct Prim(Bounds);
 
 impl Prim {
     #[inline(always)]
-    pub(super) fn new(corners: [[f32; 3]; 3], triangle: u32) -> Prim {
-        let mut bounds = Bounds::EMPTY;
-        for corner in &corners {
-            let p = [corner[0], corner[1], corner[2], 0.0];
-            bounds.grow(&Bounds { lo: p, hi: p });
-        }
-        bounds.lo[3] = f32::from_bits(triangle);
+    pub(crate) fn new(mut bounds: Bounds, number: u32) -> Prim {
+        bounds.lo[3] = f32::from_bits(number);
+        // Sums of both are 1 whatever the number, so that no denormal number gets into a product.
+        bounds.hi[3] = 1.0;
         Prim(bounds)
     }
 
-    pub(super) fn triangle(&self) -> u32 {
+    pub(crate) fn number(&self) -> u32 {
         self.0.lo[3].to_bits()
     }
 
     #[inline(always)]
     fn twice_centre(&self) -> [f32; 4] {
         let (lo, hi) = (&self.0.lo, &self.0.hi);
-        [lo[0] + hi[0], lo[1] + hi[1], lo[2] + hi[2], 0.0]
+        [lo[0] + hi[0], lo[1] + hi[1], lo[2] + hi[2], lo[3] + hi[3]]
     }
 }
 
-/// A run of triangles on its way into a child.
+/// A run of primitives on its way into a child.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Run {
     pub(super) len: usize,
@@ -120,6 +113,8 @@ impl Run {
 #[derive(Clone, Copy)]
 struct Binning {
     count: usize,
+    /// Keeps what is not a number within the bins that there are.
+    mask: u32,
     offset: [f32; 4],
     scale: [f32; 4],
 }
@@ -132,22 +127,28 @@ struct Cut {
 }
 
 impl Binning {
-    fn new(run: &Run) -> Binning {
-        let count = BINS.min(4 + run.len / 20);
+    fn new(run: &Run, fewest: usize) -> Binning {
+        let count = (4 + run.len / 20).clamp(fewest, BINS);
         let mut scale = [0.0; 4];
         for (k, scale) in scale.iter_mut().enumerate().take(3) {
             let size = run.centres.hi[k] - run.centres.lo[k];
             // A hair under `count`, so that the last centre falls into the last bin.
             *scale = if size > 1e-34 { 0.99 * count as f32 / size } else { 0.0 };
         }
-        Binning { count, offset: run.centres.lo, scale }
+        let most = if count <= FEW_BINS { FEW_BINS } else { BINS };
+        Binning { count, mask: most as u32 - 1, offset: run.centres.lo, scale }
     }
 
+    /// The bin of each axis. Adding 2^17 leaves 6 binary places behind the point in a single, and the bin as a whole
+    /// number before it: that is quicker than a conversion, which has to mind what does not fit.
     #[inline(always)]
-    fn bin(&self, prim: &Prim, axis: usize) -> usize {
-        let bin = (prim.0.lo[axis] + prim.0.hi[axis] - self.offset[axis]) * self.scale[axis];
-        // What is not a number becomes 0.
-        (bin as i32 as usize).min(self.count - 1)
+    fn bins(&self, prim: &Prim) -> [u32; 4] {
+        let (c, mut bins) = (prim.twice_centre(), [0; 4]);
+        for k in 0..4 {
+            let bin = (c[k] - self.offset[k]) * self.scale[k] + 131_072.0;
+            bins[k] = bin.to_bits() >> 6 & self.mask;
+        }
+        bins
     }
 }
 
@@ -161,8 +162,9 @@ impl<const N: usize> Bins<N> {
     fn of(prims: &[Prim], binning: &Binning) -> Bins<N> {
         let mut all = Bins::EMPTY;
         for prim in prims {
+            let places = binning.bins(prim);
             for (axis, bins) in all.0.iter_mut().enumerate() {
-                let bin = &mut bins[binning.bin(prim, axis)];
+                let bin = &mut bins[places[axis] as usize & (N - 1)];
                 bin.0.grow(&prim.0);
                 bin.1 += 1;
             }
@@ -178,10 +180,10 @@ impl<const N: usize> Bins<N> {
         self
     }
 
-    fn best_cut(&self, binning: &Binning) -> Option<Cut> {
+    fn best_cut<L: Leaves>(&self, binning: &Binning) -> Option<Cut> {
         let mut best: Option<(f32, usize, usize)> = None;
         for (axis, bins) in self.0.iter().enumerate().filter(|(axis, _)| binning.scale[*axis] > 0.0) {
-            let (cost, bin) = cheapest(&bins[..binning.count]);
+            let (cost, bin) = cheapest::<L>(&bins[..binning.count]);
             if cost < best.map_or(f32::INFINITY, |b| b.0) {
                 best = Some((cost, axis, bin));
             }
@@ -191,15 +193,13 @@ impl<const N: usize> Bins<N> {
 }
 
 /// Cost and place of the cheapest cut of one axis; infinite where every cut leaves a side empty.
-fn cheapest(bins: &[(Bounds, u32)]) -> (f32, usize) {
-    let blocks = |count: u32| count.div_ceil(LANES as u32) as f32;
+fn cheapest<L: Leaves>(bins: &[(Bounds, u32)]) -> (f32, usize) {
     let mut right_cost = [0.0f32; BINS];
     let (mut bounds, mut count) = (Bounds::EMPTY, 0);
     for (i, bin) in bins.iter().enumerate().rev() {
         bounds.grow(&bin.0);
         count += bin.1;
-        right_cost[i] =
-            if count == 0 { f32::INFINITY } else { bounds.half_area() * (NODE_COST + blocks(count)) };
+        right_cost[i] = if count == 0 { f32::INFINITY } else { bounds.half_area() * L::cost(count) };
     }
     let (mut bounds, mut count) = (Bounds::EMPTY, 0);
     let mut best = (f32::INFINITY, 0);
@@ -209,7 +209,7 @@ fn cheapest(bins: &[(Bounds, u32)]) -> (f32, usize) {
         if count == 0 {
             continue;
         }
-        let cost = bounds.half_area() * (NODE_COST + blocks(count)) + right_cost[i];
+        let cost = bounds.half_area() * L::cost(count) + right_cost[i];
         if cost < best.0 {
             best = (cost, i);
         }
@@ -217,9 +217,9 @@ fn cheapest(bins: &[(Bounds, u32)]) -> (f32, usize) {
     best
 }
 
-/// Cuts a run in two and orders its triangles accordingly. Where no cut is better than another it is in the middle.
-pub(super) fn split(prims: &mut [Prim], run: &Run, by_area: bool) -> (Run, Run) {
-    match by_area.then(|| best_cut(prims, run)).flatten() {
+/// Cuts a run in two and orders its primitives accordingly. Where no cut is better than another it is in the middle.
+pub(super) fn split<L: Leaves>(prims: &mut [Prim], run: &Run, by_area: bool) -> (Run, Run) {
+    match (by_area && prims.len() > 2).then(|| best_cut::<L>(prims, run)).flatten() {
         Some(cut) => partition(prims, &cut),
         None => {
             let (first, second) = prims.split_at(prims.len() / 2);
@@ -228,17 +228,17 @@ pub(super) fn split(prims: &mut [Prim], run: &Run, by_area: bool) -> (Run, Run) 
     }
 }
 
-fn best_cut(prims: &[Prim], run: &Run) -> Option<Cut> {
-    let binning = Binning::new(run);
-    if run.len <= SHORT {
-        return Bins::<FEW_BINS>::of(prims, &binning).best_cut(&binning);
+fn best_cut<L: Leaves>(prims: &[Prim], run: &Run) -> Option<Cut> {
+    let binning = Binning::new(run, L::FEWEST_BINS);
+    if binning.count <= FEW_BINS {
+        return Bins::<FEW_BINS>::of(prims, &binning).best_cut::<L>(&binning);
     }
     let of = |prims: &[Prim]| Bins::<BINS>::of(prims, &binning);
     let bins = match run.len <= 2 * CHUNK {
         true => of(prims),
         false => prims.par_chunks(CHUNK).map(of).reduce(|| Bins::EMPTY, Bins::joined),
     };
-    bins.best_cut(&binning)
+    bins.best_cut::<L>(&binning)
 }
 
 fn partition(prims: &mut [Prim], cut: &Cut) -> (Run, Run) {
@@ -246,13 +246,13 @@ fn partition(prims: &mut [Prim], cut: &Cut) -> (Run, Run) {
     let (mut start, mut end) = (0, prims.len());
     while start < end {
         let prim = prims[start];
-        if cut.binning.bin(&prim, cut.axis) < cut.bin {
+        if (cut.binning.bins(&prim)[cut.axis] as usize) < cut.bin {
             left.add(&prim);
             start += 1;
         } else {
             right.add(&prim);
             end -= 1;
-            prims.swap(start, end);
+            (prims[start], prims[end]) = (prims[end], prim);
         }
     }
     (left, right)

@@ -1,0 +1,77 @@
+//! The tree over boxes: which boxes it takes, and its leaves, which are runs of primitives.
+use raggio_math::Aabb;
+
+use super::bins::{Bounds, Prim};
+use super::{Leaves, Tree, build};
+use crate::kernel;
+use crate::node::{Child, MAX_LEAF};
+use crate::round::{down, up};
+use crate::traverse::Bvh;
+
+/// Sides beyond this do not fit the single-precision boxes.
+const REACH: f64 = 1e30;
+
+/// A tree and what it could not take.
+pub struct Built {
+    /// The tree over all bounded boxes.
+    pub bvh: Bvh,
+    /// Boxes with an infinite (or hopelessly far) side, in order: to be asked one by one.
+    pub unbounded: Vec<u32>,
+}
+
+/// Leaves of at most so many primitives.
+struct Runs(usize);
+
+impl Leaves for Runs {
+    type Leaf = u32;
+    const FEWEST_BINS: usize = 8;
+    const ALONE: bool = true;
+
+    fn size(&self) -> usize {
+        self.0
+    }
+
+    fn room(&self, count: usize) -> usize {
+        count
+    }
+
+    /// Asking a primitive takes so much longer than visiting a node that only the primitives count.
+    #[inline(always)]
+    fn cost(count: u32) -> f32 {
+        count as f32
+    }
+
+    fn add(&self, prims: &[Prim], leaves: &mut Vec<u32>) -> u32 {
+        let start = leaves.len();
+        leaves.extend(prims.iter().map(Prim::number));
+        Child::leaf(start, prims.len()).word()
+    }
+
+    fn moved(word: u32, by: usize) -> u32 {
+        Child::from_word(word).moved(by).word()
+    }
+}
+
+impl Bvh {
+    /// Builds a tree over boxes; a primitive is its index in `boxes`. Empty boxes are left out, unbounded ones handed
+    /// back. `leaf_size` (at most 8) is how many primitives may share a leaf: 1 for costly ones, more for cheap ones.
+    pub fn build(boxes: &[Aabb], leaf_size: usize) -> Built {
+        let mut unbounded = Vec::new();
+        let mut prims = Vec::with_capacity(boxes.len());
+        for (number, b) in boxes.iter().enumerate().filter(|(_, b)| !b.is_empty()) {
+            match b.min.min_element() > -REACH && b.max.max_element() < REACH {
+                true => prims.push(Prim::new(enclosing(b), number as u32)),
+                false => unbounded.push(number as u32),
+            }
+        }
+        let (Tree { nodes, leaves }, _) = build(&Runs(leaf_size.clamp(1, MAX_LEAF)), prims);
+        Built { bvh: Bvh { nodes, prims: leaves, simd: kernel::simd_available() }, unbounded }
+    }
+}
+
+fn enclosing(b: &Aabb) -> Bounds {
+    Bounds {
+        lo: [down(b.min.x), down(b.min.y), down(b.min.z), 0.0],
+        hi: [up(b.max.x), up(b.max.y), up(b.max.z), 0.0],
+    }
+}
