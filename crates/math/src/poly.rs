@@ -196,8 +196,8 @@ pub fn bernstein_quadratic([a, b, c]: [f64; 3]) -> Roots<3> {
     let q = fall + disc.sqrt().copysign(fall);
     let (s, t) = (q / top, a / q);
     if s.is_finite() && t.is_finite() {
-        roots.push(s.min(t));
-        roots.push(s.max(t));
+        roots.push(s.min(t).clamp(0.0, 1.0));
+        roots.push(s.max(t).clamp(0.0, 1.0));
     }
     roots
 }
@@ -567,6 +567,23 @@ mod tests {
         near(&real_roots(&[-8.0, 0.0, 0.0, 1.0, 1e-200, 0.0]), &[2.0], 1e-14);
         assert!(real_roots(&[0.0; 5]).is_empty());
         assert!(roots_in(&[1.0, f64::INFINITY, 1.0], 0.0, 1.0).is_empty());
+    }
+
+    proptest! {
+        /// Real roots are found to rounding, and the signs at the ends alone say whether there is an odd number.
+        #[test]
+        fn closed_quadratic_agrees_with_the_search(b in prop::array::uniform3(-4i8..=4), shift in -1e-3..1e-3) {
+            let b = b.map(|x| f64::from(x) + if x == 0 { 0.0 } else { shift });
+            let roots = bernstein_quadratic(b);
+            prop_assert_eq!(roots.len() % 2 == 1, (b[0] < 0.0) != (b[2] < 0.0));
+            let c = power_from_bernstein(&b);
+            for &t in roots.iter() {
+                prop_assert!((0.0..=1.0).contains(&t) && eval(&c, t).abs() < 1e-14, "{t} {}", eval(&c, t));
+            }
+            if b[1] * b[1] - b[0] * b[2] > 1e-9 {
+                prop_assert_eq!(roots.len(), bernstein_roots(&b).len());
+            }
+        }
     }
 
     #[test]

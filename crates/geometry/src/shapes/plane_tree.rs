@@ -112,3 +112,49 @@ impl Line {
         self.side(middle).abs() > self.normal.x.abs() * half.x + self.normal.y.abs() * half.y
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A ring of small boxes.
+    fn ring() -> Vec<(Vec2, Vec2)> {
+        let at = |k: i32| Vec2::from_angle(f64::from(k) * 0.37) * 3.0;
+        (0..17).map(|k| (at(k).min(at(k + 1)), at(k).max(at(k + 1)))).collect()
+    }
+
+    fn visited(line: &Line) -> Vec<usize> {
+        let mut seen = Vec::new();
+        PlaneTree::new(&ring()).visit(|node| line.misses(node), |i, _| seen.push(i));
+        seen
+    }
+
+    #[test]
+    fn the_pieces_on_a_line_are_visited_in_order() {
+        for k in 0..40 {
+            let line = Line::new(Vec2::from_angle(f64::from(k)), f64::from(k % 7) - 3.0);
+            let touched = |(min, max): &(Vec2, Vec2)| {
+                let sides =
+                    [*min, *max, Vec2::new(min.x, max.y), Vec2::new(max.x, min.y)].map(|p| line.side(p));
+                sides.iter().any(|s| *s <= 0.0) && sides.iter().any(|s| *s >= 0.0)
+            };
+            let wanted: Vec<usize> = (0..17).filter(|&i| touched(&ring()[i])).collect();
+            assert_eq!(visited(&line), wanted);
+        }
+    }
+
+    #[test]
+    fn only_the_part_between_two_points_counts_if_they_are_numbers() {
+        let line = Line::new(Vec2::Y, 0.0);
+        let all = visited(&line);
+        let half = visited(&line.between(Vec2::ZERO, Vec2::new(f64::INFINITY, 0.0)));
+        assert!(!half.is_empty() && half.len() < all.len());
+        assert_eq!(visited(&line.between(Vec2::ZERO, Vec2::NAN)), all);
+        assert!(visited(&line.between(Vec2::ZERO, Vec2::X)).is_empty());
+    }
+
+    #[test]
+    fn nothing_to_visit_in_an_empty_tree() {
+        PlaneTree::new(&[]).visit(|_| false, |_, _| unreachable!());
+    }
+}
