@@ -148,12 +148,58 @@ pub fn roots_in_unit<const N: usize>(c: &[f64; N], at_zero: f64, at_one: f64) ->
 
 /// The roots in `0..=1` of the polynomial whose Bernstein coefficients are `b`. The signs at the ends are those of the
 /// first and last coefficient, so that chained curves neither lose nor double a crossing at a joint.
+#[inline]
 pub fn bernstein_roots<const N: usize>(b: &[f64; N]) -> Roots<N> {
-    let negative = b[0] < 0.0;
-    if b.iter().all(|&x| (x < 0.0) == negative) || !b.iter().all(|x| x.is_finite()) {
-        return Roots::NONE;
+    let mut roots = Roots::NONE;
+    let changes = changes(b);
+    if changes == 0 || !b.iter().all(|x| x.is_finite()) {
+        return roots;
     }
-    roots_in_unit(&power_from_bernstein(b), b[0], b[N - 1])
+    let c = power_from_bernstein(b);
+    let (lo, hi) = ((0.0, b[0]), (1.0, b[N - 1]));
+    if changes == 1 && N <= UNROLLED {
+        roots.push(refine(&c, lo, hi, guess(lo, hi, false, false), ROOT_STEP));
+        return roots;
+    }
+    let n = degree(&c);
+    if n > 0 && c.iter().all(|x| x.is_finite()) {
+        chain(&c, n, lo, hi, |x| {
+            roots.push(x);
+            true
+        });
+    }
+    roots
+}
+
+/// [`bernstein_roots`] of a quadratic, in closed form. The signs of the three coefficients alone tell where roots may
+/// be; two that the discriminant grants lie inside.
+#[inline]
+pub fn bernstein_quadratic([a, b, c]: [f64; 3]) -> Roots<3> {
+    let mut roots = Roots::NONE;
+    let ends_differ = (a < 0.0) != (c < 0.0);
+    if !ends_differ && (b < 0.0) == (a < 0.0) {
+        return roots;
+    }
+    let disc = b * b - a * c;
+    if disc.is_nan() || disc < 0.0 {
+        return roots;
+    }
+    // The curve is `top t^2 - 2 fall t + a`.
+    let (fall, top) = (a - b, a - 2.0 * b + c);
+    if ends_differ {
+        let root = if a < 0.0 { -disc.sqrt() } else { disc.sqrt() };
+        let t = if fall * root >= 0.0 { a / (fall + root) } else { (fall - root) / top };
+        // No number only for a curve that starts level at 0.
+        roots.push(if t.is_finite() { t.clamp(0.0, 1.0) } else { 0.0 });
+        return roots;
+    }
+    let q = fall + disc.sqrt().copysign(fall);
+    let (s, t) = (q / top, a / q);
+    if s.is_finite() && t.is_finite() {
+        roots.push(s.min(t).clamp(0.0, 1.0));
+        roots.push(s.max(t).clamp(0.0, 1.0));
+    }
+    roots
 }
 
 /// The coefficients in powers of t of a polynomial in Bernstein form over `0..=1`.
@@ -247,6 +293,17 @@ fn solve<const N: usize>(
             _ => {}
         }
     }
+    chain(c, n, lo, hi, visit);
+}
+
+/// As [`solve`], without a look whether it is worth while.
+fn chain<const N: usize>(
+    c: &[f64; N],
+    n: usize,
+    lo: (f64, f64),
+    hi: (f64, f64),
+    mut visit: impl FnMut(f64) -> bool,
+) {
     let mut knots: Roots<N> = Roots::NONE;
     let mut add = |x: f64| {
         if lo.0 < x && x < hi.0 {
@@ -296,7 +353,17 @@ fn sign_changes<const N: usize>(c: &[f64; N], lo: (f64, f64), hi: (f64, f64)) ->
         }
     }
     (b[0], b[N - 1]) = (lo.1, hi.1);
-    (1..N).map(|k| u32::from((b[k] < 0.0) != (b[k - 1] < 0.0))).sum()
+    changes(&b)
+}
+
+/// How often the sign changes along a row.
+#[inline(always)]
+fn changes<const N: usize>(b: &[f64; N]) -> u32 {
+    let mut count = 0;
+    for k in 1..N {
+        count += u32::from((b[k] < 0.0) != (b[k - 1] < 0.0));
+    }
+    count
 }
 
 /// The roots of a cubic, sorted, well enough to tell where another polynomial turns: Newton's method from beyond the
@@ -500,6 +567,23 @@ mod tests {
         near(&real_roots(&[-8.0, 0.0, 0.0, 1.0, 1e-200, 0.0]), &[2.0], 1e-14);
         assert!(real_roots(&[0.0; 5]).is_empty());
         assert!(roots_in(&[1.0, f64::INFINITY, 1.0], 0.0, 1.0).is_empty());
+    }
+
+    proptest! {
+        /// Real roots are found to rounding, and the signs at the ends alone say whether there is an odd number.
+        #[test]
+        fn closed_quadratic_agrees_with_the_search(b in prop::array::uniform3(-4i8..=4), shift in -1e-3..1e-3) {
+            let b = b.map(|x| f64::from(x) + if x == 0 { 0.0 } else { shift });
+            let roots = bernstein_quadratic(b);
+            prop_assert_eq!(roots.len() % 2 == 1, (b[0] < 0.0) != (b[2] < 0.0));
+            let c = power_from_bernstein(&b);
+            for &t in roots.iter() {
+                prop_assert!((0.0..=1.0).contains(&t) && eval(&c, t).abs() < 1e-14, "{t} {}", eval(&c, t));
+            }
+            if b[1] * b[1] - b[0] * b[2] > 1e-9 {
+                prop_assert_eq!(roots.len(), bernstein_roots(&b).len());
+            }
+        }
     }
 
     #[test]

@@ -1,9 +1,12 @@
 //! The lathe: a profile of curves turned about the y axis (shapes spec, section 5).
+use std::cell::Cell;
+
 use raggio_math::{Aabb, Ray, Vec2, Vec3, poly};
 use raggio_scene::{Curve2, CurveKind};
 
 use super::collect::{Collect, searched_from};
 use super::outline::{Outline, point, slope};
+use super::plane_tree::{Line, Node, PlaneTree};
 use super::revolve::{barrel_bounds, clip_to_barrel, radius_squared};
 use super::turn;
 use crate::{LocalHit, Surface};
@@ -12,49 +15,76 @@ const LEAST: f64 = 1e-4;
 /// Rays that rise less than this are followed at their height and then set right.
 const LEVEL: f64 = 1e-6;
 
+/// Bent pieces of the profile are cut into so many spans: short ones lie close in their boxes, and mostly hold one
+/// root at most.
+const SPANS: usize = 4;
+
 /// A lathe; x of its profile is the radius, y the height.
 #[derive(Clone, Debug)]
 pub(crate) struct Lathe {
     profile: Outline,
-    segments: Vec<Segment>,
+    spans: Vec<Span>,
+    tree: PlaneTree,
 }
 
-/// A piece of the profile.
+/// A stretch of a piece of the profile.
 #[derive(Clone, Copy, Debug)]
-struct Segment {
+struct Span {
+    piece: u32,
+    /// Where it begins in the piece, and how much of it there is.
+    from: f64,
+    width: f64,
+    /// By its own parameter in 0..=1.
     curve: Curve2,
     ends: [Vec2; 2],
-    heights: (f64, f64),
-    radii: (f64, f64),
 }
 
-impl Segment {
-    fn new((curve, p): (&Curve2, &[Vec2; 4])) -> Self {
-        let low = p[0].min(p[1]).min(p[2].min(p[3]));
-        let high = p[0].max(p[1]).max(p[2].max(p[3]));
-        let inner = if low.x > 0.0 { low.x } else { (-high.x).max(0.0) };
-        Segment {
-            curve: *curve,
-            ends: [p[0], p[3]],
-            heights: (low.y, high.y),
-            radii: (inner, high.x.max(-low.x)),
-        }
+impl Span {
+    /// The stretches of a piece. Where two meet, both have the very same end.
+    fn of_piece(piece: usize, curve: &Curve2, [start, .., end]: &[Vec2; 4]) -> impl Iterator<Item = Span> {
+        let count = if curve.kind == CurveKind::Linear { 1 } else { SPANS };
+        let (whole, start, end) = (*curve, *start, *end);
+        let width = 1.0 / count as f64;
+        let joint = move |k: usize| match k {
+            0 => start,
+            k if k == count => end,
+            k => point(&whole, k as f64 * width),
+        };
+        (0..count).map(move |k| {
+            let from = k as f64 * width;
+            let curve = Curve2 {
+                a: whole.a * (width * width * width),
+                b: (whole.a * (3.0 * from) + whole.b) * (width * width),
+                c: slope(&whole, from) * width,
+                d: point(&whole, from),
+                kind: whole.kind,
+            };
+            Span { piece: piece as u32, from, width, curve, ends: [joint(k), joint(k + 1)] }
+        })
+    }
+
+    /// A box around its control points and ends.
+    fn bounds(&self) -> (Vec2, Vec2) {
+        let Curve2 { a, b, c, d, .. } = self.curve;
+        let points = [d, d + c / 3.0, d + (c * 2.0 + b) / 3.0, d + c + b + a, self.ends[0], self.ends[1]];
+        let corner = |pick: fn(Vec2, Vec2) -> Vec2| points.into_iter().fold(d, pick);
+        (corner(Vec2::min), corner(Vec2::max))
     }
 
     /// Calls `each(s)` for the curve parameters at which the cone that the ray sweeps about the axis meets the curve:
-    /// `|o dy + d (y(s) - oy)|^2 = r(s)^2 dy^2` in x and z.
-    fn meets(&self, ray: &Ray, each: impl FnMut(f64)) {
-        let (o, d) = (ray.origin, ray.dir);
-        let [c, b, a] = radius_squared(ray);
-        let (b, c) = (b * d.y, c * d.y * d.y);
+    /// `|o dy + d (y(s) - oy)|^2 = r(s)^2 dy^2` in x and z. `radius2` is the ray's [`radius_squared`].
+    fn meets(&self, ray: &Ray, radius2: [f64; 3], each: impl FnMut(f64)) {
+        let (oy, dy) = (ray.origin.y, ray.dir.y);
+        let [c, b, a] = radius2;
+        let (b, c) = (b * dy, c * dy * dy);
         let off = |p: Vec2| {
-            let y = p.y - o.y;
-            (a * y + b) * y + c - p.x * p.x * d.y * d.y
+            let y = p.y - oy;
+            (a * y + b) * y + c - p.x * p.x * dy * dy
         };
         let (first, last) = (off(self.ends[0]), off(self.ends[1]));
         let curve = &self.curve;
-        let y = [curve.d.y - o.y, curve.c.y, curve.b.y, curve.a.y];
-        let r = [curve.d.x, curve.c.x, curve.b.x, curve.a.x].map(|r| r * d.y);
+        let y = [curve.d.y - oy, curve.c.y, curve.b.y, curve.a.y];
+        let r = [curve.d.x * dy, curve.c.x * dy, curve.b.x * dy, curve.a.x * dy];
         let power = [a, b, c];
         match curve.kind {
             CurveKind::Linear => meet_roots::<2, 3>(&y, &r, power, first, last, each),
@@ -62,6 +92,26 @@ impl Segment {
             CurveKind::Cubic => meet_roots::<4, 7>(&y, &r, power, first, last, each),
         }
     }
+}
+
+/// Does a ray pass by all that is turned from a box of radius and height, for distances within `range`? `radius2` is
+/// the ray's [`radius_squared`], `per_y` one over its rise.
+#[inline(always)]
+fn passes(node: &Node, oy: f64, per_y: f64, [c, b, a]: [f64; 3], range: (f64, f64)) -> bool {
+    let (t0, t1) = ((node.min.y - oy) * per_y, (node.max.y - oy) * per_y);
+    let (lo, hi) = (t0.min(t1).max(range.0), t0.max(t1).min(range.1));
+    if lo > hi {
+        return true;
+    }
+    let radius2 = |t: f64| (a * t + b) * t + c;
+    let inner = node.min.x.max(-node.max.x).max(0.0);
+    if radius2(lo).max(radius2(hi)) < inner * inner {
+        return true;
+    }
+    // Nearest to the axis, as far as it goes. A ray along the axis keeps its radius.
+    let nearest = if a > 0.0 { (-0.5 * b / a).max(lo).min(hi) } else { lo };
+    let outer = node.max.x.max(-node.min.x);
+    radius2(nearest) > outer * outer
 }
 
 /// The roots in 0..=1 of `a y^2 + b y + c - r^2`, for polynomials y and r of N coefficients.
@@ -102,35 +152,46 @@ impl Lathe {
     /// A lathe of the given profile.
     pub(crate) fn new(curves: &[Curve2]) -> Self {
         let profile = Outline::new(curves);
-        let segments = profile.pieces().map(Segment::new).collect();
-        Lathe { profile, segments }
+        let pieces = profile.pieces().enumerate();
+        let spans: Vec<_> =
+            pieces.flat_map(|(i, (curve, points))| Span::of_piece(i, curve, points)).collect();
+        let boxes: Vec<_> = spans.iter().map(Span::bounds).collect();
+        Lathe { profile, spans, tree: PlaneTree::new(&boxes) }
+    }
+
+    /// Heights and radius of the barrel around it.
+    fn barrel(&self) -> ((f64, f64), f64) {
+        let (min, max) = self.profile.bounds();
+        ((min.y, max.y), max.x.max(-min.x))
     }
 
     fn search(&self, ray: &Ray, to: &mut impl Collect) {
         if ray.dir.y.abs() < LEVEL {
             return self.search_level(ray, to);
         }
-        for (i, segment) in self.segments.iter().enumerate() {
-            // A margin, so that what is shaved off here is no part of the surface.
-            let heights = (segment.heights.0 - 1e-9, segment.heights.1 + 1e-9);
-            let stretch = clip_to_barrel(ray, heights, segment.radii.1 * (1.0 + 1e-9), to.range());
-            let Some((lo, hi)) = stretch else { continue };
-            let middle = 0.5 * (lo + hi);
-            let near = Ray::new(ray.at(middle), ray.dir);
-            let axis_distance = |t: f64| {
-                let p = ray.at(t);
-                p.x * p.x + p.z * p.z
-            };
-            let inner = segment.radii.0 * segment.radii.0;
-            if axis_distance(lo).max(axis_distance(hi)) < inner * (1.0 - 1e-9) {
-                continue;
-            }
-            segment.meets(&near, |s| {
-                let t = (point(&segment.curve, s).y - near.origin.y) / near.dir.y;
-                let (s, t) = polished(&near, &segment.curve, s, t);
-                to.push(LocalHit { t: middle + t, part: i as u32, u: s, v: 0.0 });
-            });
-        }
+        // A margin, so that what is shaved off here is no part of the surface.
+        let ((low, high), radius) = self.barrel();
+        let margin = 1e-9 * (1.0 + low.abs().max(high.abs()));
+        let stretch = clip_to_barrel(ray, (low - margin, high + margin), radius * (1.0 + 1e-9), to.range());
+        let Some((lo, hi)) = stretch else { return };
+        // From a place nearby digits are not lost to the distance.
+        let middle = 0.5 * (lo + hi);
+        let near = Ray::new(ray.at(middle), ray.dir);
+        let (radius2, per_y) = (radius_squared(&near), 1.0 / near.dir.y);
+        let (first, last) = (lo - middle, Cell::new(hi - middle));
+        self.tree.visit(
+            |node| passes(node, near.origin.y, per_y, radius2, (first, last.get())),
+            |i, _| {
+                let span = &self.spans[i];
+                span.meets(&near, radius2, |s| {
+                    let t = (point(&span.curve, s).y - near.origin.y) * per_y;
+                    let (s, t) = polished(&near, &span.curve, s, t);
+                    let u = span.from + s * span.width;
+                    to.push(LocalHit { t: middle + t, part: span.piece, u, v: 0.0 });
+                });
+                last.set(last.get().min(to.range().1 - middle));
+            },
+        );
     }
 
     /// For a ray that stays at one height: the radii there, and the ray's way through those circles.
@@ -138,7 +199,7 @@ impl Lathe {
         let shift = -ray.origin.dot(ray.dir);
         let near = Ray::new(ray.at(shift), ray.dir);
         let [c, b, a] = radius_squared(&near);
-        self.profile.crossings(Vec2::Y, -near.origin.y, |part, s, p| {
+        self.profile.crossings(&Line::new(Vec2::Y, -near.origin.y), |part, s, p| {
             for &t in poly::quadratic([c - p.x * p.x, b, a]).iter() {
                 let (s, t) = polished(&near, self.profile.curve(part), s, t);
                 to.push(LocalHit { t: shift + t, part, u: s, v: 0.0 });
@@ -151,11 +212,11 @@ impl Surface for Lathe {
     searched_from!(LEAST);
 
     fn bounds(&self) -> Aabb {
-        let (min, max) = self.profile.bounds();
-        if self.segments.is_empty() {
+        if self.spans.is_empty() {
             return Aabb::EMPTY;
         }
-        barrel_bounds((min.y, max.y), max.x.max(-min.x))
+        let (heights, radius) = self.barrel();
+        barrel_bounds(heights, radius)
     }
 
     fn inside(&self, p: Vec3) -> bool {
@@ -173,7 +234,7 @@ impl Surface for Lathe {
     }
 
     fn uv(&self, p: Vec3, hit: &LocalHit) -> Option<Vec2> {
-        let v = (f64::from(hit.part) + hit.u) / self.segments.len() as f64;
+        let v = (f64::from(hit.part) + hit.u) / self.profile.pieces().len() as f64;
         Some(Vec2::new(turn(p.x, p.z), v))
     }
 }

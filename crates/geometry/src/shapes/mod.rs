@@ -18,6 +18,7 @@ mod ovus;
 mod parametric;
 mod parts;
 mod plane;
+mod plane_tree;
 mod poly;
 mod polygon;
 mod prism;

@@ -2,6 +2,8 @@
 use raggio_math::{Vec2, poly};
 use raggio_scene::{Curve2, CurveKind};
 
+use super::plane_tree::{Line, PlaneTree};
+
 /// Ends of pieces this near are one point.
 const JOINT: f64 = 1e-9;
 
@@ -9,6 +11,7 @@ const JOINT: f64 = 1e-9;
 #[derive(Clone, Debug)]
 pub(crate) struct Outline {
     pieces: Vec<Piece>,
+    tree: PlaneTree,
     min: Vec2,
     max: Vec2,
 }
@@ -17,6 +20,8 @@ pub(crate) struct Outline {
 #[derive(Clone, Copy, Debug)]
 struct Piece {
     points: [Vec2; 4],
+    /// The middle control point, if it is a quadratic.
+    middle: Vec2,
     kind: CurveKind,
     curve: Curve2,
 }
@@ -29,14 +34,14 @@ impl Piece {
         };
         let (x, y) = (axis(|v| v.x), axis(|v| v.y));
         let points = std::array::from_fn(|k| Vec2::new(x[k], y[k]));
-        Piece { points, kind: curve.kind, curve: *curve }
+        Piece { points, middle: curve.d + curve.c * 0.5, kind: curve.kind, curve: *curve }
     }
 
-    /// Parameters at which the piece crosses the line `normal . p + offset = 0`, each end counted by its sign.
+    /// Parameters at which the piece crosses the line, each end counted by its sign.
     #[inline]
-    fn crossings(&self, normal: Vec2, offset: f64, mut each: impl FnMut(f64)) {
-        let at = self.points.map(|p| normal.dot(p) + offset);
-        let (first, last) = (at[0], at[3]);
+    fn crossings(&self, line: &Line, mut each: impl FnMut(f64)) {
+        let [a, b, c, d] = &self.points;
+        let (first, last) = (line.side(*a), line.side(*d));
         match self.kind {
             CurveKind::Linear => {
                 if (first < 0.0) != (last < 0.0) {
@@ -44,11 +49,22 @@ impl Piece {
                 }
             }
             CurveKind::Quadratic => {
-                let middle = 0.25 * (3.0 * (at[1] + at[2]) - first - last);
-                poly::bernstein_roots(&[first, middle, last]).iter().for_each(|&s| each(s));
+                for &s in poly::bernstein_quadratic([first, line.side(self.middle), last]).iter() {
+                    each(s);
+                }
             }
-            CurveKind::Cubic => poly::bernstein_roots(&at).iter().for_each(|&s| each(s)),
+            CurveKind::Cubic => {
+                for &s in poly::bernstein_roots(&[first, line.side(*b), line.side(*c), last]).iter() {
+                    each(s);
+                }
+            }
         }
+    }
+
+    /// A box around it: control points hold their curve.
+    fn bounds(&self) -> (Vec2, Vec2) {
+        let [a, b, c, d] = self.points;
+        (a.min(b).min(c).min(d), a.max(b).max(c).max(d))
     }
 }
 
@@ -69,11 +85,10 @@ impl Outline {
     pub(crate) fn new<'a>(curves: impl IntoIterator<Item = &'a Curve2>) -> Self {
         let mut pieces: Vec<Piece> = curves.into_iter().map(Piece::new).collect();
         weld(&mut pieces);
-        // Control points hold their curve.
-        let corners = || pieces.iter().flat_map(|p| p.points);
-        let min = corners().fold(Vec2::splat(f64::INFINITY), Vec2::min);
-        let max = corners().fold(Vec2::splat(f64::NEG_INFINITY), Vec2::max);
-        Outline { pieces, min, max }
+        let boxes: Vec<_> = pieces.iter().map(Piece::bounds).collect();
+        let min = boxes.iter().fold(Vec2::splat(f64::INFINITY), |sum, b| sum.min(b.0));
+        let max = boxes.iter().fold(Vec2::splat(f64::NEG_INFINITY), |sum, b| sum.max(b.1));
+        Outline { pieces, tree: PlaneTree::new(&boxes), min, max }
     }
 
     /// A box around it: least and greatest corner.
@@ -97,26 +112,32 @@ impl Outline {
             return false;
         }
         let mut inside = false;
-        for piece in &self.pieces {
-            let [a, b, c, d] = piece.points;
-            if a.x.max(b.x).max(c.x).max(d.x) < p.x {
-                continue;
-            }
-            piece.crossings(Vec2::Y, -p.y, |s| {
-                if point(&piece.curve, s).x >= p.x {
-                    inside = !inside;
+        let line = Line::new(Vec2::Y, -p.y);
+        self.tree.visit(
+            |node| node.max.x < p.x || node.min.y > p.y || node.max.y < p.y,
+            |i, node| {
+                let piece = &self.pieces[i];
+                // Wholly on the far side only the ends count.
+                if node.min.x > p.x {
+                    inside ^= (line.side(piece.points[0]) < 0.0) != (line.side(piece.points[3]) < 0.0);
+                    return;
                 }
-            });
-        }
+                piece.crossings(&line, |s| inside ^= point(&piece.curve, s).x >= p.x);
+            },
+        );
         inside
     }
 
-    /// Calls `each(piece, s, point)` wherever the outline crosses the line `normal . p + offset = 0`.
+    /// Calls `each(piece, s, point)` wherever the outline crosses the line, at least where the line matters.
     #[inline]
-    pub(crate) fn crossings(&self, normal: Vec2, offset: f64, mut each: impl FnMut(u32, f64, Vec2)) {
-        for (i, piece) in self.pieces.iter().enumerate() {
-            piece.crossings(normal, offset, |s| each(i as u32, s, point(&piece.curve, s)));
-        }
+    pub(crate) fn crossings(&self, line: &Line, mut each: impl FnMut(u32, f64, Vec2)) {
+        self.tree.visit(
+            |node| line.misses(node),
+            |i, _| {
+                let piece = &self.pieces[i];
+                piece.crossings(line, |s| each(i as u32, s, point(&piece.curve, s)));
+            },
+        );
     }
 }
 

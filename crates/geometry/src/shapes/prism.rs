@@ -3,6 +3,7 @@ use raggio_math::{Aabb, EPS, Ray, Vec2, Vec3};
 
 use super::collect::{Collect, searched_from};
 use super::outline::{Outline, slope};
+use super::plane_tree::Line;
 use super::revolve::clip_to_slab;
 use crate::{LocalHit, Surface};
 
@@ -70,7 +71,8 @@ impl Prism {
         if length < EPS * EPS {
             return;
         }
-        self.outline.crossings(normal, -normal.dot(o), |part, s, p| {
+        let line = Line::new(normal, -normal.dot(o)).between(o + d * slab.0, o + d * slab.1);
+        self.outline.crossings(&line, |part, s, p| {
             let t = (p - o).dot(d) / length;
             if slab.0 <= t && t <= slab.1 {
                 to.push(LocalHit { t, part, u: s, v: 0.0 });
@@ -86,7 +88,13 @@ impl Prism {
         if n.length_squared() < EPS * EPS {
             return;
         }
-        self.outline.crossings(Vec2::new(n.x, n.z), n.y, |part, s, p| {
+        let mut line = Line::new(Vec2::new(n.x, n.z), n.y);
+        // Seen from the tip, what lies between two points on the same side of it stays between them.
+        let (a, b) = (o + d * slab.0, o + d * slab.1);
+        if a.y * b.y > 0.0 {
+            line = line.between(Vec2::new(a.x, a.z) / a.y, Vec2::new(b.x, b.z) / b.y);
+        }
+        self.outline.crossings(&line, |part, s, p| {
             // o + t d is a multiple of c.
             let c = Vec3::new(p.x, 1.0, p.y);
             let (oc, dc) = (o.cross(c), d.cross(c));

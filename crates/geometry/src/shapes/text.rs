@@ -8,6 +8,7 @@ use raggio_scene::Glyph;
 use super::collect::{Collect, searched_from};
 use super::outline::{Outline, slope};
 use super::parts::Parts;
+use super::plane_tree::Line;
 use super::revolve::clip_to_slab;
 use crate::{LocalHit, Surface};
 
@@ -59,7 +60,8 @@ impl Text {
         }
         let Some(slab) = clip_to_slab(ray.origin.z, ray.dir.z, (0.0, self.depth), to.range()) else { return };
         let normal = Vec2::new(-d.y, d.x);
-        outline.crossings(normal, -normal.dot(o), |piece, s, p| {
+        let line = Line::new(normal, -normal.dot(o)).between(o + d * slab.0, o + d * slab.1);
+        outline.crossings(&line, |piece, s, p| {
             let t = (p - o).dot(d) / length;
             if slab.0 <= t && t <= slab.1 {
                 to.push(LocalHit { t, part: piece * 4 + SIDE, u: s, v: i as f64 });
