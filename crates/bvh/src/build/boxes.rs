@@ -75,3 +75,40 @@ fn enclosing(b: &Aabb) -> Bounds {
         hi: [up(b.max.x), up(b.max.y), up(b.max.z), 0.0],
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use raggio_math::Vec3;
+
+    use super::*;
+
+    /// Large trees are built in parts, by all threads.
+    #[test]
+    fn large_trees_are_the_same_for_any_number_of_threads_and_hold_every_box() {
+        let count = 40_000;
+        let boxes: Vec<Aabb> = (0..count)
+            .map(|i| {
+                let f = f64::from(i);
+                let c = Vec3::new((f * 0.618).fract(), (f * 0.7548).fract(), (f * 0.5698).fract());
+                Aabb::new(c, c + Vec3::splat(0.01))
+            })
+            .collect();
+        let built = |threads: usize, leaf: usize| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
+            pool.install(|| Bvh::build(&boxes, leaf).bvh)
+        };
+        for leaf in [1, 2] {
+            let (one, three) = (built(1, leaf), built(3, leaf));
+            let nodes =
+                |bvh: &Bvh| bvh.nodes.iter().map(|node| (node.bounds, node.child)).collect::<Vec<_>>();
+            assert!(nodes(&one) == nodes(&three) && one.prims == three.prims);
+            for i in (0..count).step_by(997) {
+                let at = boxes[i as usize].min + Vec3::splat(0.005);
+                assert!(one.containing(at, |prim| prim == i as u32), "{i}");
+            }
+            let mut listed = one.prims.clone();
+            listed.sort_unstable();
+            assert!(listed.into_iter().eq(0..count as u32));
+        }
+    }
+}

@@ -165,6 +165,8 @@ impl<L: Leaves> Builder<'_, L> {
     fn open(&self, prims: &mut [Prim], run: &Run, depth: usize) -> ([Run; WIDTH], usize) {
         let mut children = [*run; WIDTH];
         if L::ALONE && prims.len() <= WIDTH {
+            // Of primitives that a ray enters at one place the first is then asked first.
+            prims.sort_unstable_by_key(Prim::number);
             prims.chunks(1).zip(&mut children).for_each(|(prim, child)| *child = Run::of(prim));
             return (children, prims.len());
         }
