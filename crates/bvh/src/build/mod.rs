@@ -118,9 +118,7 @@ impl<L: Leaves> Builder<'_, L> {
         for (i, child) in children[..count].iter().enumerate() {
             let (own, rest) = prims.split_at_mut(child.len);
             prims = rest;
-            // The smallest first: rays that seek just any hit take children as they come.
-            let before = |(j, other): &(usize, &Run)| (other.len, *j) < (child.len, i);
-            let slot = children[..count].iter().enumerate().filter(before).count();
+            let slot = rank(children[..count].iter(), i, child);
             let word = self.child(own, child, depth + 1, tree);
             set(&mut tree.nodes[index], slot, child, word);
         }
@@ -206,12 +204,19 @@ impl<L: Leaves> Builder<'_, L> {
     }
 }
 
+/// The place of the `i`-th child of a node, the smallest first: rays that seek just any hit take children as they come.
+fn rank<'a>(children: impl Iterator<Item = &'a Run>, i: usize, child: &Run) -> usize {
+    children.enumerate().filter(|(j, other)| (other.len, *j) < (child.len, i)).count()
+}
+
 /// Makes the nodes of the upper part, and lists what waits, in the order of the primitives. Returns the root's word.
 fn place(top: Top, nodes: &mut Vec<Node>, waiting: &mut Vec<Waiting>) -> u32 {
     let Top::Node(children) = top else { return Child::LEAF };
     let index = nodes.len();
     nodes.push(Node::EMPTY);
-    for (slot, (run, below)) in children.into_iter().enumerate() {
+    let runs: Vec<Run> = children.iter().map(|(run, _)| *run).collect();
+    for (i, (run, below)) in children.into_iter().enumerate() {
+        let slot = rank(runs.iter(), i, &run);
         match below {
             Top::Part(depth) => waiting.push(Waiting { run, depth, node: index, slot }),
             below => {
