@@ -21,7 +21,7 @@ mod output;
 
 pub use embedded::DEFAULT_SCENE;
 pub use load::{Failure, Loaded, SceneOptions, load, load_with};
-pub use output::{OutputError, write_picture};
+pub use output::{OutputError, write_picture, write_whole};
 pub use raggio_diag as diag;
 pub use raggio_image as image;
 pub use raggio_render::{Antialias, AntialiasMethod, Film, Options as RenderOptions, Region, World};

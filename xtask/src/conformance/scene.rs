@@ -62,12 +62,34 @@ fn describe(root: &Path, path: PathBuf) -> Result<Scene, String> {
     Ok(Scene {
         group: name.split_once('/').map_or(".", |(folder, _)| folder).to_string(),
         key: Path::new(&name).with_extension("").to_string_lossy().replace('/', "__"),
-        limit: limit(&String::from_utf8_lossy(&bytes)),
+        limit: limit(&with_includes(&path, &bytes, 0)),
         hash: hasher.finish(),
         ini: Some(path.with_extension("ini")).filter(|ini| name.starts_with("portfolio/") && ini.exists()),
         path,
     })
 }
+
+/// The scene's text and that of the files beside it that it includes; not of those of a library, most of which is not
+/// used.
+fn with_includes(path: &Path, bytes: &[u8], depth: u32) -> String {
+    let mut text = String::from_utf8_lossy(bytes).into_owned();
+    let folder = path.parent().unwrap_or(Path::new("."));
+    let names: Vec<String> = text
+        .lines()
+        .filter_map(|line| line.trim_start().strip_prefix("#include")?.split('"').nth(1).map(String::from))
+        .collect();
+    for name in names.iter().filter(|_| depth < MOST_INCLUDES) {
+        let included = folder.join(name);
+        if let Ok(bytes) = std::fs::read(&included) {
+            text.push('\n');
+            text += &with_includes(&included, &bytes, depth + 1);
+        }
+    }
+    text
+}
+
+/// Files that include one another are followed so far.
+const MOST_INCLUDES: u32 = 4;
 
 /// Looks for the noisy words outside line comments; `camera{aperture 0}` and the like are judged mildly too.
 fn limit(text: &str) -> f32 {
@@ -81,6 +103,18 @@ fn limit(text: &str) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn files_beside_a_scene_count() {
+        let folder = tempfile::tempdir().expect("a folder");
+        std::fs::write(folder.path().join("globals.inc"), "global_settings { radiosity { } }")
+            .expect("written");
+        let scene = folder.path().join("scene.pov");
+        let text =
+            with_includes(&scene, b"#include \"colors.inc\"\n  #include \"globals.inc\"\nsphere{0,1}", 0);
+        assert_eq!(limit(&text), NOISY_LIMIT);
+        assert_eq!(limit(&with_includes(&scene, b"// #include \"globals.inc\"", 0)), EXACT_LIMIT);
+    }
 
     #[test]
     fn noisy_scenes_get_the_wider_limit() {
