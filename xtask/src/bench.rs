@@ -37,8 +37,18 @@ struct Results {
     timings: Vec<Timing>,
 }
 
+/// What is timed.
+#[derive(Clone, Copy, PartialEq)]
+enum What {
+    /// The whole process, wall clock.
+    Frame,
+    /// Reading the scene, as each program says itself.
+    Reading,
+}
+
 /// What both commands need to know.
 struct Runner {
+    what: What,
     binary: PathBuf,
     runs: usize,
     threads: usize,
@@ -48,7 +58,7 @@ struct Runner {
 /// The scenes of `benches/speed.txt`, found below a folder.
 pub fn speed(words: &[String]) -> Result<(), String> {
     let mut args = Args::new(words);
-    let runner = Runner::from_args(&mut args)?;
+    let runner = Runner::from_args(&mut args, What::Frame)?;
     let filter = args.value("--filter")?.unwrap_or_default();
     let root = PathBuf::from(args.last_word()?.ok_or("bench needs the folder of POV-Ray's examples")?);
     let list = crate::root_folder().join("benches/speed.txt");
@@ -65,10 +75,10 @@ pub fn speed(words: &[String]) -> Result<(), String> {
     runner.run("bench", &jobs)
 }
 
-/// The scenes `scenes/bench/parse-*.pov`: a few pixels, so that the time is the time to read them.
+/// The scenes `scenes/bench/parse-*.pov`: how long reading them takes, by what both programs print of it.
 pub fn parse(words: &[String]) -> Result<(), String> {
     let mut args = Args::new(words);
-    let runner = Runner::from_args(&mut args)?;
+    let runner = Runner::from_args(&mut args, What::Reading)?;
     if let Some(word) = args.last_word()? {
         return Err(format!("unexpected `{word}`"));
     }
@@ -85,7 +95,7 @@ pub fn parse(words: &[String]) -> Result<(), String> {
 }
 
 impl Runner {
-    fn from_args(args: &mut Args) -> Result<Self, String> {
+    fn from_args(args: &mut Args, what: What) -> Result<Self, String> {
         let binary = match args.value("--binary")? {
             Some(path) => PathBuf::from(path),
             None => crate::target_folder()?.join("release/raggio"),
@@ -95,7 +105,13 @@ impl Runner {
             return Err(format!("{} is missing: cargo build --release", binary.display()));
         }
         let runs = args.parsed("--runs", 3usize)?.max(1);
-        Ok(Runner { binary, runs, threads: args.parsed("--threads", 2)?, limit: Duration::from_secs(300) })
+        Ok(Runner {
+            what,
+            binary,
+            runs,
+            threads: args.parsed("--threads", 2)?,
+            limit: Duration::from_secs(300),
+        })
     }
 
     fn run(&self, command: &str, jobs: &[Job]) -> Result<(), String> {
@@ -148,7 +164,10 @@ impl Runner {
                 if done.code != Some(0) {
                     return Ok(Err(format!("{name} does not render it")));
                 }
-                times.push(done.wall.as_secs_f64());
+                times.push(match self.what {
+                    What::Frame => done.wall.as_secs_f64(),
+                    What::Reading => reading_time(&done.stderr).ok_or(format!("{name} says no time"))?,
+                });
             }
         }
         let (povray_s, raggio_s) = (median(&mut theirs), median(&mut ours));
@@ -180,12 +199,21 @@ impl Runner {
         let mut command = Command::new(&self.binary);
         command.current_dir(folder).arg("render").arg(name).arg("-o").arg(picture("raggio"));
         command.arg("--size").arg(format!("{}x{}", job.size.0, job.size.1));
-        command.arg("--threads").arg(self.threads.to_string());
+        command.arg("--threads").arg(self.threads.to_string()).arg("--timing");
         if let Some(library) = installed_library() {
             command.arg("--library").arg(library);
         }
         command
     }
+}
+
+/// Seconds of reading by a program's own words: `Parse Time: ... (1.234 seconds)` or `read 1.234 s, build ...`.
+fn reading_time(stderr: &str) -> Option<f64> {
+    stderr.lines().find_map(|line| {
+        let theirs = || line.split_once("Parse Time:")?.1.split_once('(')?.1.split_once(" seconds)");
+        let ours = || line.strip_prefix("read ")?.split_once(" s,");
+        theirs().or_else(ours)?.0.trim().parse().ok()
+    })
 }
 
 fn place(scene: &Path) -> (&Path, String) {
@@ -224,6 +252,14 @@ pub fn save(name: &str, results: &impl Serialize) -> Result<(), String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn both_programs_tell_their_reading_time() {
+        let theirs = "Parser Time\n  Parse Time:       0 hours  0 minutes  3 seconds (3.586 seconds)\n              using 1 thread(s)";
+        assert_eq!(reading_time(theirs), Some(3.586));
+        assert_eq!(reading_time("warning\nread 0.250 s, build 0.100 s\n"), Some(0.25));
+        assert_eq!(reading_time("nothing"), None);
+    }
 
     #[test]
     fn medians_and_means() {

@@ -79,7 +79,7 @@ pub fn bytes(p: &mut Parser, name: &str) -> Result<Arc<[u8]>> {
 pub struct Font<'a> {
     face: Face<'a>,
     em: f64,
-    kerning: Kerning,
+    kerning: Kerning<'a>,
     outlines: RefCell<FxHashMap<GlyphId, Outline>>,
 }
 

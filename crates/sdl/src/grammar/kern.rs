@@ -1,26 +1,27 @@
-//! The classic `kern` table of TrueType fonts. Old fonts list their pairs in no order, so they are hashed, not searched.
+//! The classic `kern` table of TrueType fonts. Old fonts list their pairs in no order, and a text asks for few of them:
+//! they are looked for one by one.
 use raggio_math::Vec2;
-use rustc_hash::FxHashMap;
 
 /// How pairs of glyphs move together, in font units.
 #[derive(Default)]
-pub struct Kerning {
-    tables: Vec<Subtable>,
+pub struct Kerning<'a> {
+    tables: Vec<Subtable<'a>>,
 }
 
-struct Subtable {
+struct Subtable<'a> {
     /// The values are the least that is left of the sum, not added to it.
     minimum: bool,
     /// The values act across the line.
     cross_stream: bool,
     /// The values replace what earlier tables gave.
     replaces: bool,
-    pairs: FxHashMap<(u16, u16), i16>,
+    /// Six bytes each: left, right, value.
+    pairs: &'a [u8],
 }
 
-impl Kerning {
+impl<'a> Kerning<'a> {
     /// Reads the table as far as it is whole; subtables of other formats or for vertical text are passed over.
-    pub fn new(table: &[u8]) -> Self {
+    pub fn new(table: &'a [u8]) -> Self {
         let mut kerning = Kerning::default();
         let Some(count) = word(table, 2) else { return kerning };
         let mut rest = table.get(4..).unwrap_or_default();
@@ -43,8 +44,7 @@ impl Kerning {
     pub fn of(&self, left: u16, right: u16) -> Vec2 {
         let mut kern = Vec2::ZERO;
         for table in &self.tables {
-            let Some(&value) = table.pairs.get(&(left, right)) else { continue };
-            let value = f64::from(value);
+            let Some(value) = table.value(left, right) else { continue };
             let part = if table.cross_stream { &mut kern.y } else { &mut kern.x };
             *part = match table {
                 Subtable { minimum: true, .. } => part.max(value),
@@ -56,11 +56,20 @@ impl Kerning {
     }
 }
 
+impl Subtable<'_> {
+    /// What the last entry of a pair says.
+    fn value(&self, left: u16, right: u16) -> Option<f64> {
+        let ([a, b], [c, d]) = (left.to_be_bytes(), right.to_be_bytes());
+        let entry = self.pairs.chunks_exact(6).rfind(|entry| entry[..4] == [a, b, c, d])?;
+        word(entry, 4).map(|value| f64::from(value as i16))
+    }
+}
+
 /// The pairs of a subtable of format 0.
-fn pairs(subtable: &[u8]) -> FxHashMap<(u16, u16), i16> {
-    let count = word(subtable, 6).unwrap_or(0);
-    let entries = subtable.get(14..).unwrap_or_default().chunks_exact(6).take(count.into());
-    entries.filter_map(|entry| Some(((word(entry, 0)?, word(entry, 2)?), word(entry, 4)? as i16))).collect()
+fn pairs(subtable: &[u8]) -> &[u8] {
+    let all = subtable.get(14..).unwrap_or_default();
+    let count = usize::from(word(subtable, 6).unwrap_or(0));
+    &all[..all.len().min(6 * count)]
 }
 
 fn word(bytes: &[u8], at: usize) -> Option<u16> {
@@ -83,11 +92,13 @@ mod tests {
 
     #[test]
     fn pairs_need_no_order_and_subtables_combine() {
-        let kerning = Kerning::new(&table(&[(1, &[[9, 1, -20], [3, 4, 7]]), (1, &[[3, 4, 1]])]));
+        let bytes = table(&[(1, &[[9, 1, -20], [3, 4, 7]]), (1, &[[3, 4, 1]])]);
+        let kerning = Kerning::new(&bytes);
         assert_eq!(kerning.of(9, 1), Vec2::new(-20.0, 0.0));
         assert_eq!(kerning.of(3, 4), Vec2::new(8.0, 0.0));
         assert_eq!(kerning.of(4, 3), Vec2::ZERO);
-        let kerning = Kerning::new(&table(&[(1, &[[1, 2, 5]]), (9, &[[1, 2, -3]]), (5, &[[1, 2, 4]])]));
+        let bytes = table(&[(1, &[[1, 2, 5]]), (9, &[[1, 2, -3]]), (5, &[[1, 2, 4]])]);
+        let kerning = Kerning::new(&bytes);
         assert_eq!(kerning.of(1, 2), Vec2::new(-3.0, 4.0));
         assert_eq!(Kerning::new(&[0, 0, 0, 3, 0]).of(1, 2), Vec2::ZERO);
     }
