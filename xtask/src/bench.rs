@@ -6,7 +6,7 @@ use crate::process;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use std::time::Duration;
+use std::time::{Duration, SystemTime};
 
 /// A scene and the size at which it is timed.
 struct Job {
@@ -237,16 +237,41 @@ fn geometric_mean(values: &[f64]) -> f64 {
     (values.iter().map(|v| v.ln()).sum::<f64>() / values.len().max(1) as f64).exp()
 }
 
-/// Writes results to `benches/results/`.
+/// Writes results to `benches/results/`, with the day and the machine.
 pub fn save(name: &str, results: &impl Serialize) -> Result<(), String> {
+    let seconds = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).map_or(0, |t| t.as_secs());
+    let date = date_of((seconds / 86_400) as i64);
     let folder = crate::root_folder().join("benches/results");
-    let path = folder.join(format!("{name}.json"));
-    let text = serde_json::to_string_pretty(results).map_err(|e| e.to_string())?;
+    let path = folder.join(format!("{date}-{name}.json"));
+    let dated = serde_json::json!({ "date": date, "machine": machine(), "results": results });
+    let text = serde_json::to_string_pretty(&dated).map_err(|e| e.to_string())?;
     std::fs::create_dir_all(&folder)
         .and_then(|()| std::fs::write(&path, text + "\n"))
         .map_err(|e| format!("{}: {e}", path.display()))?;
     println!("written: {}", path.display());
     Ok(())
+}
+
+/// Processor, as far as the system tells, and cores.
+fn machine() -> String {
+    let known = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+    let model = known.lines().find_map(|line| line.strip_prefix("model name")?.split_once(':'));
+    let model = model.map_or(std::env::consts::ARCH, |(_, model)| model.trim());
+    format!("{model}, {} cores", std::thread::available_parallelism().map_or(1, usize::from))
+}
+
+/// The day in the calendar, by its number since 1970 (Howard Hinnant's `civil_from_days`).
+fn date_of(days: i64) -> String {
+    let days = days + 719_468;
+    let era = days.div_euclid(146_097);
+    let day_of_era = days.rem_euclid(146_097);
+    let year_of_era = (day_of_era - day_of_era / 1460 + day_of_era / 36_524 - day_of_era / 146_096) / 365;
+    let day_of_year = day_of_era - (365 * year_of_era + year_of_era / 4 - year_of_era / 100);
+    let shifted = (5 * day_of_year + 2) / 153;
+    let day = day_of_year - (153 * shifted + 2) / 5 + 1;
+    let month = if shifted < 10 { shifted + 3 } else { shifted - 9 };
+    let year = year_of_era + era * 400 + i64::from(month <= 2);
+    format!("{year:04}-{month:02}-{day:02}")
 }
 
 #[cfg(test)]
@@ -259,6 +284,13 @@ mod tests {
         assert_eq!(reading_time(theirs), Some(3.586));
         assert_eq!(reading_time("warning\nread 0.250 s, build 0.100 s\n"), Some(0.25));
         assert_eq!(reading_time("nothing"), None);
+    }
+
+    #[test]
+    fn days_have_their_dates() {
+        assert_eq!(date_of(0), "1970-01-01");
+        assert_eq!(date_of(11_016), "2000-02-29");
+        assert_eq!(date_of(20_779), "2026-11-22");
     }
 
     #[test]
