@@ -38,17 +38,7 @@ pub(crate) fn left_out(loaded: &Loaded) -> Option<String> {
 
 /// Options with everything at its default.
 pub(crate) fn render_options((width, height): (usize, usize)) -> RenderOptions {
-    RenderOptions {
-        width,
-        height,
-        region: None,
-        quality: 9,
-        antialias: None,
-        threads: 0,
-        seed: 0,
-        max_trace_level: None,
-        alpha: false,
-    }
+    RenderOptions { width, height, ..RenderOptions::default() }
 }
 
 /// The film as a picture.

@@ -38,17 +38,8 @@ fn scenes() -> Vec<String> {
 
 /// The switches of `// options: ...` on the first line.
 fn options(text: &str, expected: &Bitmap) -> RenderOptions {
-    let mut options = RenderOptions {
-        width: expected.width,
-        height: expected.height,
-        region: None,
-        quality: 9,
-        antialias: None,
-        threads: 0,
-        seed: 0,
-        max_trace_level: None,
-        alpha: false,
-    };
+    let mut options =
+        RenderOptions { width: expected.width, height: expected.height, ..RenderOptions::default() };
     let line = text.lines().next().and_then(|l| l.strip_prefix("// options: ")).unwrap_or_default();
     for word in line.split_whitespace() {
         let aa = options.antialias.unwrap_or(Antialias {

@@ -67,22 +67,8 @@ fn photons_bring_the_light_that_clear_glass_would_let_through() {
 
 /// The pane filled with a mist that scatters, and takes some of the light away or none.
 fn misty(extinction: f32) -> Scene {
-    let mist = Media {
-        method: 3,
-        intervals: 1,
-        samples: (4, 4),
-        confidence: 0.9,
-        variance: 1.0 / 128.0,
-        ratio: 0.9,
-        jitter: 0.0,
-        aa_level: 3,
-        aa_threshold: 0.1,
-        absorption: Rgb::ZERO,
-        emission: Rgb::ZERO,
-        scattering: Some(Scattering { kind: 1, color: Rgb::ONE, eccentricity: 0.0, extinction }),
-        densities: Vec::new(),
-        collect: true,
-    };
+    let scattering = Scattering { kind: 1, color: Rgb::ONE, eccentricity: 0.0, extinction };
+    let mist = Media { samples: (4, 4), scattering: Some(scattering), ..Media::default() };
     let mut scene = pane(0.05, 0, false);
     let target = Arc::make_mut(&mut scene.objects[1]);
     let media = vec![Placed { item: Arc::new(mist), parent_from_item: Affine::IDENTITY }];
