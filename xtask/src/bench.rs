@@ -55,13 +55,14 @@ struct Runner {
     limit: Duration,
 }
 
-/// The scenes of `benches/speed.txt`, found below a folder.
+/// The scenes of `benches/speed.txt` or another list there, found below a folder.
 pub fn speed(words: &[String]) -> Result<(), String> {
     let mut args = Args::new(words);
     let runner = Runner::from_args(&mut args, What::Frame)?;
     let filter = args.value("--filter")?.unwrap_or_default();
+    let list = args.value("--list")?.unwrap_or_else(|| "speed.txt".into());
     let root = PathBuf::from(args.last_word()?.ok_or("bench needs the folder of POV-Ray's examples")?);
-    let list = crate::root_folder().join("benches/speed.txt");
+    let list = crate::root_folder().join("benches").join(list);
     let text = std::fs::read_to_string(&list).map_err(|e| format!("{}: {e}", list.display()))?;
     let mut jobs = Vec::new();
     for line in text.lines().map(str::trim).filter(|l| !l.is_empty() && !l.starts_with('#')) {

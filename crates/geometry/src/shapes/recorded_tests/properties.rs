@@ -101,7 +101,7 @@ impl Shot<'_> {
     fn agrees_at(&self, t: f64) -> bool {
         let passed = self.hits.iter().filter(|h| h.t < t).count();
         let near = self.hits.iter().any(|h| (h.t - t).abs() < self.slack(h).max(self.allowed.gap));
-        near || self.surface.inside(self.ray.at(t)) == !passed.is_multiple_of(2)
+        near || self.surface.inside(self.ray.at(t)) != passed.is_multiple_of(2)
     }
 
     /// Does a ray from a hit find the next one?
