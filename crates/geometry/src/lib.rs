@@ -13,6 +13,7 @@ mod probe;
 mod shaft;
 mod shape_pool;
 mod shapes;
+mod solid;
 mod surface;
 mod texturing;
 mod tree;
