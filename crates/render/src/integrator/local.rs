@@ -118,25 +118,28 @@ impl Tracer<'_> {
         sum
     }
 
-    /// Light of photons that come from one direction.
+    /// What a layer sends back of light from some directions.
     pub(crate) fn lit_from(
         &mut self,
         point: &SurfacePoint<'_>,
         finish: &Finish,
         n: Vec3,
         (rgb, opacity): (Rgb, f32),
-        dir: Vec3,
-        light: Rgb,
+        lights: impl Iterator<Item = (Vec3, Rgb)>,
     ) -> Rgb {
         let highlights = point.beam.class != RayClass::Radiosity;
         let lit = Lit { finish, n, rgb, opacity, view: point.beam.ray.dir, highlights };
-        match facing(point, &lit, dir) {
-            Some(back) => self.answer(&lit, light, dir, back, true),
-            None => Rgb::ZERO,
+        let mut sum = Rgb::ZERO;
+        for (dir, light) in lights {
+            if let Some(back) = facing(point, &lit, dir) {
+                sum += self.answer(&lit, light, dir, back, true);
+            }
         }
+        sum
     }
 
     /// Diffuse light and, from `shiny` lights, highlights for light from a direction.
+    #[inline]
     fn answer(&mut self, lit: &Lit<'_>, light: Rgb, dir: Vec3, back: bool, shiny: bool) -> Rgb {
         let finish = lit.finish;
         let cosine = lit.n.dot(dir);
@@ -191,6 +194,7 @@ impl Tracer<'_> {
 }
 
 /// Does light from this side count? `Some(true)` is light from behind.
+#[inline]
 fn facing(point: &SurfacePoint<'_>, lit: &Lit<'_>, dir: Vec3) -> Option<bool> {
     if point.material.double_illuminate || lit.n.dot(dir) >= EPS {
         return Some(false);
@@ -199,6 +203,7 @@ fn facing(point: &SurfacePoint<'_>, lit: &Lit<'_>, dir: Vec3) -> Option<bool> {
 }
 
 /// The strength of `phong` and `specular` highlights together.
+#[inline]
 fn highlight(lit: &Lit<'_>, dir: Vec3) -> f32 {
     let finish = lit.finish;
     let mut strength = 0.0;
