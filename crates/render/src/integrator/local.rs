@@ -146,9 +146,9 @@ impl Tracer<'_> {
         let mut sum = Rgb::ZERO;
         let diffuse = if back { finish.diffuse_back } else { finish.diffuse };
         if diffuse > 0.0 {
-            let bright = f64::from(finish.brilliance);
-            let lobe = if bright == 1.0 { cosine.abs() } else { cosine.abs().powf(bright) };
-            let mut intensity = lobe as f32 * diffuse * lit.opacity;
+            let facing = cosine.abs() as f32;
+            let lobe = if finish.brilliance == 1.0 { facing } else { facing.powf(finish.brilliance) };
+            let mut intensity = lobe * diffuse * lit.opacity;
             if finish.crand > 0.0 {
                 intensity -= self.streams.crand.next() as f32 * finish.crand;
             }
@@ -212,14 +212,14 @@ fn highlight(lit: &Lit<'_>, dir: Vec3) -> f32 {
         let x = mirrored.dot(dir);
         // Sharp highlights are cut where their power would be lost in rounding.
         if x > 0.0 && (finish.phong_size < 60.0 || x > 0.0008) {
-            strength += finish.phong * x.powf(f64::from(finish.phong_size)) as f32;
+            strength += finish.phong * (x as f32).powf(finish.phong_size);
         }
     }
     if finish.specular > 0.0 {
         let halfway = (dir - lit.view) * 0.5;
         let x = lit.n.dot(halfway) / halfway.length();
         if x > 0.0 {
-            strength += finish.specular * x.powf(1.0 / f64::from(finish.roughness)) as f32;
+            strength += finish.specular * (x as f32).powf(1.0 / finish.roughness);
         }
     }
     strength

@@ -14,10 +14,12 @@ const MOST_LEVELS: usize = 11;
 /// Numbers for the eight of a block.
 type Lanes = [f32; WIDTH];
 
-/// Eight photons, in the order of the map.
+/// Up to eight photons that follow each other in the map.
 #[derive(Clone, Default)]
 struct Block {
     p: [Lanes; 3],
+    /// The number of the first.
+    first: u32,
     /// Which of them POV-Ray's search may pass over, and where they begin among all such.
     shy: u8,
     first_shy: u32,
@@ -65,12 +67,19 @@ struct Place {
 }
 
 impl Index {
-    /// For the photons at these places, of which some are shy.
+    /// For the photons at these places, in the order of a balanced tree, of which some are shy.
     pub fn new(places: &[[f32; 3]], shy: Vec<(u32, u8, f32)>) -> Index {
-        let mut blocks: Vec<Block> = places.chunks(WIDTH).map(Block::new).collect();
+        let mut depth = 0;
+        // A block takes up the photon before its range as well.
+        while places.len() >> depth >= WIDTH {
+            depth += 1;
+        }
+        let mut blocks = Vec::with_capacity(1 << depth);
+        cut(places, 0, (0, places.len()), depth, &mut blocks);
         for (i, &(number, ..)) in shy.iter().enumerate().rev() {
-            let block = &mut blocks[number as usize / WIDTH];
-            block.shy |= 1 << (number as usize % WIDTH);
+            let block = blocks.partition_point(|b| b.first <= number) - 1;
+            let block = &mut blocks[block];
+            block.shy |= 1 << (number - block.first);
             block.first_shy = i as u32;
         }
         let mut levels = Vec::new();
@@ -78,9 +87,8 @@ impl Index {
         while !spans.is_empty() {
             let level: Vec<Boxes> = spans.chunks(WIDTH).map(Boxes::new).collect();
             spans = level.iter().map(|b| bounds(&b.low, &b.high)).collect();
-            let single = level.len() == 1;
             levels.push(level);
-            if single {
+            if spans.len() == 1 {
                 break;
             }
         }
@@ -96,16 +104,17 @@ impl Index {
         if doubtful != 0 {
             near &= !self.hidden(block, doubtful, place, nearest.limit);
         }
-        nearest.note(near, &squares, (block * WIDTH) as u32);
+        nearest.note(near, &squares, self.blocks[block].first);
     }
 
     /// Which of some shy photons POV-Ray does not find: those on the wrong side of a plane that is too far away.
     #[cold]
     fn hidden(&self, block: usize, doubtful: u8, place: &Place, limit: f32) -> u8 {
-        let first = (block * WIDTH) as u32;
-        let start = self.blocks[block].first_shy as usize;
+        let Block { first, first_shy, .. } = self.blocks[block];
         let mut hidden = 0;
-        for &(number, axis, plane) in self.shy[start..].iter().take_while(|s| s.0 < first + WIDTH as u32) {
+        for &(number, axis, plane) in
+            self.shy[first_shy as usize..].iter().take_while(|s| s.0 < first + WIDTH as u32)
+        {
             let offset = place.p[usize::from(axis)] - f64::from(plane);
             if offset < 0.0 && offset * offset >= f64::from(limit) {
                 hidden |= 1 << (number - first);
@@ -113,6 +122,18 @@ impl Index {
         }
         hidden & doubtful
     }
+}
+
+/// Cuts a range of the tree into blocks where the tree does. A block begins at `first`, which is the range's start or the
+/// photon before it.
+fn cut(places: &[[f32; 3]], first: usize, (s, e): (usize, usize), depth: u32, blocks: &mut Vec<Block>) {
+    if depth == 0 || s == e {
+        blocks.push(Block::new(first, &places[first..e]));
+        return;
+    }
+    let mid = (s + e - 1) / 2;
+    cut(places, first, (s, mid), depth - 1, blocks);
+    cut(places, mid, (mid + 1, e), depth - 1, blocks);
 }
 
 /// One way through the boxes for all photons within the limit.
@@ -155,9 +176,9 @@ impl Wide for Look<'_> {
 }
 
 impl Block {
-    fn new(places: &[[f32; 3]]) -> Block {
+    fn new(first: usize, places: &[[f32; 3]]) -> Block {
         let lane = |k: usize| std::array::from_fn(|i| places.get(i).map_or(f32::NAN, |p| p[k]));
-        Block { p: [lane(0), lane(1), lane(2)], ..Block::default() }
+        Block { p: [lane(0), lane(1), lane(2)], first: first as u32, ..Block::default() }
     }
 
     /// Squared distances; they grow away from the tangent plane on surfaces.
@@ -252,7 +273,7 @@ impl Nearest {
         // A little more room, so that it mostly is enough.
         let mut limit = whole.min((1.25 * *likely * *likely) as f32);
         self.max = max;
-        self.found.resize(4 * max + 8 * WIDTH, 0);
+        self.found.resize(2 * max + 8 * WIDTH, 0);
         loop {
             self.count = 0;
             self.full = false;
