@@ -104,16 +104,16 @@ impl Tracer<'_> {
         }
         let each = shadowed / (grid.size1 * grid.size2) as f32;
         let axes = grid.axes(centre.dir);
+        let random = self.streams.lights;
+        grid.pass_over(&mut self.streams.lights);
         let mut sum = Rgb::ZERO;
-        for v in 0..grid.size2 {
-            for u in 0..grid.size1 {
-                let from = source.position + grid.offset(axes, u, v, &mut self.streams.lights);
-                let path = source.path_to(p, from);
-                let Some(back) = facing(point, lit, path.dir) else { continue };
-                let light = each * source.attenuation(p, &path, from) as f32;
-                let answer = self.answer(lit, light, path.dir, back, !source.shadowless);
-                sum += self.iridescent(point, lit, &path, answer);
-            }
+        for cell in 0..grid.size1 * grid.size2 {
+            let from = source.position + grid.offset(axes, cell, &random);
+            let path = source.path_to(p, from);
+            let Some(back) = facing(point, lit, path.dir) else { continue };
+            let light = each * source.attenuation(p, &path, from) as f32;
+            let answer = self.answer(lit, light, path.dir, back, !source.shadowless);
+            sum += self.iridescent(point, lit, &path, answer);
         }
         sum
     }
