@@ -54,10 +54,20 @@ struct Part {
 
 #[derive(Clone, Copy)]
 enum Kind {
-    Ball { center: Vec3, radius2: f64 },
-    Half { normal: Vec3, depth: f64 },
+    Ball {
+        center: Vec3,
+        radius2: f64,
+    },
+    Half {
+        normal: Vec3,
+        depth: f64,
+    },
     /// A box in coordinates of its own, which differ by a linear map.
-    Slabs { rows: [Vec3; 3], low: Vec3, high: Vec3 },
+    Slabs {
+        rows: [Vec3; 3],
+        low: Vec3,
+        high: Vec3,
+    },
 }
 
 /// Rays from the point.
@@ -363,10 +373,10 @@ mod tests {
     /// A turned frame, a lens, a cut ball, a box and a ball above a floor.
     fn things() -> Geometry {
         let cube = |r: f64, h: f64| shape(Shape::Box { min: Vec3::new(-r, -h, -r), max: Vec3::new(r, h, r) });
-        let ball = |x: f64, y: f64, z: f64, radius: f64| {
-            shape(Shape::Sphere { center: Vec3::new(x, y, z), radius })
-        };
-        let mut frame = csg(Csg::Difference, vec![cube(1.0, 0.2), cube(0.5, 0.4)]);
+        let ball =
+            |x: f64, y: f64, z: f64, radius: f64| shape(Shape::Sphere { center: Vec3::new(x, y, z), radius });
+        let mut frame =
+            csg(Csg::Difference { cutaway_textures: false }, vec![cube(1.0, 0.2), cube(0.5, 0.4)]);
         frame.transform(&Affine::from_rotation_x(0.4));
         let lens = csg(Csg::Intersection, vec![ball(2.5, 0.0, 0.0, 1.0), ball(2.5, 0.9, 0.0, 1.0)]);
         let side = shape(Shape::Plane { normal: Vec3::new(0.6, 0.8, 0.0), distance: -1.5 });
@@ -374,7 +384,14 @@ mod tests {
         let floor = shape(Shape::Plane { normal: Vec3::Y, distance: -2.0 });
         let all = csg(
             Csg::Union,
-            vec![Arc::new(frame), Arc::new(lens), Arc::new(cut), floor, ball(0.0, 0.2, 2.0, 0.5), cube(0.2, 0.9)],
+            vec![
+                Arc::new(frame),
+                Arc::new(lens),
+                Arc::new(cut),
+                floor,
+                ball(0.0, 0.2, 2.0, 0.5),
+                cube(0.2, 0.9),
+            ],
         );
         Geometry::of_object(&Arc::new(all)).expect("simple shapes")
     }
@@ -384,7 +401,8 @@ mod tests {
         let (geometry, near) = (things(), 1e-3);
         let (mut stopped, mut free) = (0, 0);
         for i in 0..400 {
-            let p = (Vec3::new(3.0, 11.0, 17.0) * (f64::from(i) * 0.37)).map(f64::cos) * Vec3::new(4.0, 1.9, 4.0);
+            let p =
+                (Vec3::new(3.0, 11.0, 17.0) * (f64::from(i) * 0.37)).map(f64::cos) * Vec3::new(4.0, 1.9, 4.0);
             let light = Vec3::new(0.5, 5.0, -0.5);
             let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
             let patch = corners.map(|(x, z)| light + Vec3::new(x, 0.0, z));

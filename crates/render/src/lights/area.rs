@@ -224,7 +224,8 @@ impl View<'_> {
         let first = (row * RAYS) as u32;
         let last = self.grid.samples() - 1;
         if !self.grid.jitter {
-            (0..RAYS).for_each(|k| put(k, self.grid.offset(axes, (first + k as u32).min(last), &self.random)));
+            (0..RAYS)
+                .for_each(|k| put(k, self.grid.offset(axes, (first + k as u32).min(last), &self.random)));
             return points;
         }
         let mut random = self.random;
