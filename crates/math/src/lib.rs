@@ -9,6 +9,7 @@ pub mod noise;
 pub mod poly;
 mod ray;
 pub mod transform;
+pub mod turns;
 mod wide;
 
 pub use aabb::Aabb;
