@@ -196,14 +196,15 @@ mod tests {
         let map = PhotonMap::new(photons.clone());
         let mut nearest = Nearest::default();
         let p = Vec3::new(0.5, 0.05, 0.4);
-        map.search((p, None), 0.2, 50, &mut f64::INFINITY, &mut nearest);
+        let mut likely = f64::INFINITY;
+        map.search((p, None), 0.2, 50, &mut likely, &mut nearest);
         assert_eq!(nearest.len(), 50);
         let mut exact: Vec<f64> =
             photons.iter().map(|q| (Vec3::from(q.p.map(f64::from)) - p).length()).collect();
         exact.sort_by(f64::total_cmp);
         let got = nearest.radius(0.2);
         assert!(got > exact[49] * 0.999_999 && got < exact[49] * 1.1, "{got} {}", exact[49]);
-        map.search((p, None), 0.02, 50, &mut f64::INFINITY, &mut nearest);
+        map.search((p, None), 0.02, 50, &mut likely, &mut nearest);
         let within = exact.iter().filter(|d| **d < 0.02).count();
         assert!(nearest.len() <= within && nearest.len() + 3 >= within);
         assert_eq!(nearest.radius(0.02), 0.02);

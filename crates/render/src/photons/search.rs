@@ -5,14 +5,7 @@
 //! when too much has come together. The radius of the search before tells about how far to look.
 use raggio_math::{Vec3, Wide, wide};
 
-/// Photons of a block, and children of a box.
-const WIDTH: usize = 8;
-
-/// Levels of boxes over as many photons as can be counted.
-const MOST_LEVELS: usize = 11;
-
-/// Numbers for the eight of a block.
-type Lanes = [f32; WIDTH];
+use crate::packed::{Lanes, Place, Tree, Visitor, WIDTH, around, below, each};
 
 /// Up to eight photons that follow each other in the map.
 #[derive(Clone, Default)]
@@ -25,19 +18,11 @@ struct Block {
     first_shy: u32,
 }
 
-/// The boxes around eight blocks, or eight of these. What is not there is nowhere.
-#[derive(Clone)]
-struct Boxes {
-    low: [Lanes; 3],
-    high: [Lanes; 3],
-}
-
 /// Where photons are.
 #[derive(Default)]
 pub(super) struct Index {
     blocks: Vec<Block>,
-    /// Boxes around blocks, boxes around eight of these, and so on up to a single one.
-    levels: Vec<Vec<Boxes>>,
+    tree: Tree,
     /// The photons that POV-Ray's search may pass over: their number, and the axis and place of the plane before them.
     shy: Vec<(u32, u8, f32)>,
 }
@@ -57,15 +42,6 @@ pub struct Nearest {
     full: bool,
 }
 
-/// A place in two parts, so that differences to places near it are not rounded, and what flattens the search on
-/// surfaces.
-struct Place {
-    coarse: [f32; 3],
-    fine: [f32; 3],
-    p: Vec3,
-    normal: Option<[f32; 3]>,
-}
-
 impl Index {
     /// For the photons at these places, in the order of a balanced tree, of which some are shy.
     pub fn new(places: &[[f32; 3]], shy: Vec<(u32, u8, f32)>) -> Index {
@@ -82,45 +58,8 @@ impl Index {
             block.shy |= 1 << (number - block.first);
             block.first_shy = i as u32;
         }
-        let mut levels = Vec::new();
-        let mut spans: Vec<[[f32; 3]; 2]> = blocks.iter().map(|b| bounds(&b.p, &b.p)).collect();
-        while !spans.is_empty() {
-            let level: Vec<Boxes> = spans.chunks(WIDTH).map(Boxes::new).collect();
-            spans = level.iter().map(|b| bounds(&b.low, &b.high)).collect();
-            levels.push(level);
-            if spans.len() == 1 {
-                break;
-            }
-        }
-        Index { blocks, levels, shy }
-    }
-
-    /// Writes down which of a block count.
-    #[inline(always)]
-    fn take(&self, block: usize, place: &Place, nearest: &mut Nearest) {
-        let squares = self.blocks[block].squares(place);
-        let mut near = below(&squares, nearest.limit);
-        let doubtful = near & self.blocks[block].shy;
-        if doubtful != 0 {
-            near &= !self.hidden(block, doubtful, place, nearest.limit);
-        }
-        nearest.note(near, &squares, self.blocks[block].first);
-    }
-
-    /// Which of some shy photons POV-Ray does not find: those on the wrong side of a plane that is too far away.
-    #[cold]
-    fn hidden(&self, block: usize, doubtful: u8, place: &Place, limit: f32) -> u8 {
-        let Block { first, first_shy, .. } = self.blocks[block];
-        let mut hidden = 0;
-        for &(number, axis, plane) in
-            self.shy[first_shy as usize..].iter().take_while(|s| s.0 < first + WIDTH as u32)
-        {
-            let offset = place.p[usize::from(axis)] - f64::from(plane);
-            if offset < 0.0 && offset * offset >= f64::from(limit) {
-                hidden |= 1 << (number - first);
-            }
-        }
-        hidden & doubtful
+        let tree = Tree::new(blocks.iter().map(|b| around(&b.p, &b.p)).collect());
+        Index { blocks, tree, shy }
     }
 }
 
@@ -139,7 +78,10 @@ fn cut(places: &[[f32; 3]], first: usize, (s, e): (usize, usize), depth: u32, bl
 /// One way through the boxes for all photons within the limit.
 struct Look<'a> {
     index: &'a Index,
+    p: Vec3,
     place: &'a Place,
+    /// Flattens the search on surfaces.
+    normal: Option<[f32; 3]>,
     nearest: &'a mut Nearest,
 }
 
@@ -147,31 +89,46 @@ impl Wide for Look<'_> {
     type Output = ();
 
     #[inline(always)]
-    fn run(self) {
-        let Look { index, place, nearest } = self;
-        let Some(top) = index.levels.len().checked_sub(1) else { return };
-        // What is left to do: at each level the number of the boxes, and which of them.
-        let mut open = [(0, 0); MOST_LEVELS];
-        let mut level = top;
-        open[level] = (0, index.levels[level][0].near(place, nearest.limit));
-        loop {
-            let (number, near) = &mut open[level];
-            if *near == 0 {
-                level += 1;
-                if level > top {
-                    return;
-                }
-                continue;
-            }
-            let child = *number * WIDTH + near.trailing_zeros() as usize;
-            *near &= *near - 1;
-            if level == 0 {
-                index.take(child, place, nearest);
-            } else {
-                level -= 1;
-                open[level] = (child, index.levels[level][child].near(place, nearest.limit));
+    fn run(mut self) {
+        let (index, place) = (self.index, self.place);
+        index.tree.walk(place, &mut self);
+    }
+}
+
+impl Visitor for Look<'_> {
+    #[inline(always)]
+    fn limit(&self) -> f32 {
+        self.nearest.limit
+    }
+
+    /// Writes down which of a block count.
+    #[inline(always)]
+    fn visit(&mut self, block: usize) {
+        let block = &self.index.blocks[block];
+        let squares = block.squares(self.place, self.normal);
+        let mut near = below(&squares, &[self.nearest.limit; WIDTH]);
+        let doubtful = near & block.shy;
+        if doubtful != 0 {
+            near &= !self.hidden(block, doubtful);
+        }
+        self.nearest.note(near, &squares, block.first);
+    }
+}
+
+impl Look<'_> {
+    /// Which of some shy photons POV-Ray does not find: those on the wrong side of a plane that is too far away.
+    #[cold]
+    fn hidden(&self, block: &Block, doubtful: u8) -> u8 {
+        let (first, last) = (block.first, block.first + WIDTH as u32);
+        let shy = self.index.shy[block.first_shy as usize..].iter().take_while(|s| s.0 < last);
+        let mut hidden = 0;
+        for &(number, axis, plane) in shy {
+            let offset = self.p[usize::from(axis)] - f64::from(plane);
+            if offset < 0.0 && offset * offset >= f64::from(self.nearest.limit) {
+                hidden |= 1 << (number - first);
             }
         }
+        hidden & doubtful
     }
 }
 
@@ -183,75 +140,12 @@ impl Block {
 
     /// Squared distances; they grow away from the tangent plane on surfaces.
     #[inline(always)]
-    fn squares(&self, place: &Place) -> Lanes {
-        let mut squares = [0.0; WIDTH];
-        let mut away = [0.0; WIDTH];
-        let normal = place.normal.unwrap_or_default();
-        for k in 0..3 {
-            for i in 0..WIDTH {
-                let d = (self.p[k][i] - place.coarse[k]) - place.fine[k];
-                squares[i] += d * d;
-                away[i] += normal[k] * d;
-            }
-        }
-        if place.normal.is_some() {
-            for i in 0..WIDTH {
-                squares[i] *= 1.0 + 16.0 * away[i].abs();
-            }
-        }
-        squares
-    }
-}
-
-impl Boxes {
-    fn new(spans: &[[[f32; 3]; 2]]) -> Boxes {
-        let lanes = |end: usize, k: usize| {
-            std::array::from_fn(|i| spans.get(i).map_or(f32::NAN, |span: &[[f32; 3]; 2]| span[end][k]))
-        };
-        let side = |end: usize| [lanes(end, 0), lanes(end, 1), lanes(end, 2)];
-        Boxes { low: side(0), high: side(1) }
-    }
-
-    /// Which of them reach into the sphere of the search.
-    #[inline(always)]
-    fn near(&self, place: &Place, limit: f32) -> u8 {
-        let mut squares = [0.0; WIDTH];
-        for k in 0..3 {
-            for i in 0..WIDTH {
-                let below = (self.low[k][i] - place.coarse[k]) - place.fine[k];
-                let above = place.fine[k] - (self.high[k][i] - place.coarse[k]);
-                let away = if below > above { below } else { above };
-                // What is not there stays what it is, so that it is near nothing.
-                let away = if away < 0.0 { 0.0 } else { away };
-                squares[i] += away * away;
-            }
-        }
-        below(&squares, limit)
-    }
-}
-
-/// The box around eight, given their lower and upper ends.
-fn bounds(low: &[Lanes; 3], high: &[Lanes; 3]) -> [[f32; 3]; 2] {
-    let least = |lanes: &Lanes| lanes.iter().copied().fold(f32::INFINITY, f32::min);
-    let most = |lanes: &Lanes| lanes.iter().copied().fold(f32::NEG_INFINITY, f32::max);
-    [std::array::from_fn(|k| least(&low[k])), std::array::from_fn(|k| most(&high[k]))]
-}
-
-/// Which of eight numbers are below a limit.
-#[inline(always)]
-fn below(lanes: &Lanes, limit: f32) -> u8 {
-    lanes.iter().enumerate().fold(0, |mask, (i, &v)| mask | (u8::from(v < limit) << i))
-}
-
-impl Place {
-    fn new(p: Vec3, normal: Option<Vec3>) -> Place {
-        let coarse = p.as_vec3();
-        let fine = (p - coarse.as_dvec3()).as_vec3();
-        Place {
-            coarse: coarse.to_array(),
-            fine: fine.to_array(),
-            p,
-            normal: normal.map(|n| n.as_vec3().to_array()),
+    fn squares(&self, place: &Place, normal: Option<[f32; 3]>) -> Lanes {
+        let [x, y, z] = place.to(&self.p);
+        let squares = each(|i| x[i] * x[i] + y[i] * y[i] + z[i] * z[i]);
+        match normal {
+            Some(n) => each(|i| squares[i] * (1.0 + 16.0 * (n[0] * x[i] + n[1] * y[i] + n[2] * z[i]).abs())),
+            None => squares,
         }
     }
 }
@@ -268,7 +162,7 @@ impl Nearest {
         max: usize,
         likely: &mut f64,
     ) {
-        let place = Place::new(p, normal);
+        let (place, flat) = (Place::new(p), normal.map(|n| n.as_vec3().to_array()));
         let whole = (radius * radius) as f32;
         // A little more room, so that it mostly is enough.
         let mut limit = whole.min((1.25 * *likely * *likely) as f32);
@@ -278,7 +172,7 @@ impl Nearest {
             self.count = 0;
             self.full = false;
             self.limit = limit;
-            wide(Look { index, place: &place, nearest: self });
+            wide(Look { index, p, place: &place, normal: flat, nearest: self });
             if self.count > max {
                 self.thin_out();
             }
