@@ -78,7 +78,7 @@ impl Div for Complex {
 /// How an iteration ended.
 struct Orbit {
     z: Complex,
-    /// The least squared distance from 0 on the way.
+    /// The least squared distance from 0 on the way, where it was asked for and nothing escaped.
     closest: f64,
     /// The iteration at which it escaped; `None` if it never did.
     escape: Option<u32>,
@@ -97,8 +97,12 @@ pub(super) fn value(settings: &FractalSettings, p: Vec3) -> f64 {
         return settings.interior_factor;
     }
     let orbit = match settings.kind {
-        FractalKind::Power(2) => power_orbit(here, c, n, |z| z * z),
-        FractalKind::Power(e) => power_orbit(here, c, n, |z| z.power(e)),
+        // Who asks how near an orbit came waits longer for every step.
+        FractalKind::Power(2) if settings.interior_type != 1 => {
+            power_orbit(here, c, n, |z| z * z + c, |_| 0.0)
+        }
+        FractalKind::Power(2) => power_orbit(here, c, n, |z| z * z + c, Complex::norm),
+        FractalKind::Power(e) => power_orbit(here, c, n, |z| z.power(e) + c, Complex::norm),
         FractalKind::Magnet1 => magnet_orbit(magnet_start, n, |z| magnet1(z, c)),
         FractalKind::Magnet2 => magnet_orbit(magnet_start, n, |z| magnet2(z, c)),
     };
@@ -117,44 +121,84 @@ fn stays(c: Complex) -> bool {
 }
 
 #[inline]
-fn power_orbit(start: Complex, c: Complex, n: u32, power: impl Fn(Complex) -> Complex) -> Orbit {
-    iterate(start, start.norm(), n, |z| power(z) + c, |_, norm| norm > 4.0)
+fn power_orbit(
+    start: Complex,
+    c: Complex,
+    n: u32,
+    next: impl Fn(Complex) -> Complex,
+    distance: impl Fn(Complex) -> f64,
+) -> Orbit {
+    // What is farther away than 2 and than c never comes back.
+    let steps = if c.norm() < 3.9 { 8 } else { 1 };
+    let orbit = Orbit { z: start, closest: distance(start), escape: None };
+    // Some steps after it has escaped a number may be too large for a number.
+    let stop = |z: Complex| z.norm() > 4.0 || z.norm().is_nan();
+    iterate(orbit, n, steps, next, stop, distance)
 }
 
 #[inline]
 fn magnet_orbit(start: Complex, n: u32, next: impl Fn(Complex) -> Complex) -> Orbit {
-    let stop = |z: Complex, norm: f64| norm > 10000.0 || (z - Complex::real(1.0)).norm() < 0.0001;
-    iterate(start, 10000.0, n, next, stop)
+    let stop = |z: Complex| z.norm() > 10000.0 || (z - Complex::real(1.0)).norm() < 0.0001;
+    iterate(Orbit { z: start, closest: 10000.0, escape: None }, n, 1, next, stop, Complex::norm)
 }
 
-/// Follows an orbit until it escapes, has made all its steps, or comes back to where it was. An orbit that comes back
-/// has no new places to offer; only the steps that are left over after whole rounds still count. (Places are compared
-/// with one that is renewed after 1, 2, 4 ... steps: Brent 1980.)
+/// Follows an orbit until it escapes, has made all its steps, or comes back to where it was. Where what has escaped
+/// stays away, it is looked for every few steps only. An orbit that comes back has no new places to offer; only the
+/// steps that are left over after whole rounds still count. (Places are compared with one that is renewed after 1, 2, 4
+/// ... times as many steps: Brent 1980.)
 #[inline]
 fn iterate(
-    start: Complex,
-    closest: f64,
+    mut orbit: Orbit,
     n: u32,
+    steps: u32,
     next: impl Fn(Complex) -> Complex,
-    stop: impl Fn(Complex, f64) -> bool,
+    stop: impl Fn(Complex) -> bool,
+    distance: impl Fn(Complex) -> f64,
 ) -> Orbit {
-    let mut orbit = Orbit { z: start, closest, escape: None };
-    let (mut mark, mut marked, mut renew) = (start, 0, 1);
-    for column in 0..n {
+    let (mut mark, mut marked, mut renew) = (orbit.z, 0, steps);
+    let mut column = 0;
+    while column < n {
+        let count = if n - column < steps { 1 } else { steps };
+        let (mut z, mut closest) = (orbit.z, orbit.closest);
+        for _ in 0..count {
+            z = next(z);
+            closest = nearer(closest, distance(z));
+        }
+        if stop(z) {
+            return escaped(orbit, column..column + count, next, stop);
+        }
+        (orbit.z, orbit.closest) = (z, closest);
+        column += count;
+        if z == mark {
+            let (left, round) = (n - column, column - marked);
+            orbit.z = (0..left % round).fold(z, |z, _| next(z));
+            break;
+        }
+        if column >= renew {
+            (mark, marked, renew) = (z, column, column.saturating_mul(2));
+        }
+    }
+    orbit
+}
+
+/// The lesser of two numbers, in the form that compilers make into the one instruction.
+#[inline]
+fn nearer(a: f64, b: f64) -> f64 {
+    if b < a { b } else { a }
+}
+
+/// The step of those given in which an orbit escapes.
+fn escaped(
+    mut orbit: Orbit,
+    columns: std::ops::Range<u32>,
+    next: impl Fn(Complex) -> Complex,
+    stop: impl Fn(Complex) -> bool,
+) -> Orbit {
+    for column in columns {
         orbit.z = next(orbit.z);
-        let norm = orbit.z.norm();
-        orbit.closest = orbit.closest.min(norm);
-        if stop(orbit.z, norm) {
+        if stop(orbit.z) {
             orbit.escape = Some(column);
             break;
-        }
-        if orbit.z == mark {
-            let (left, round) = (n - 1 - column, column + 1 - marked);
-            orbit.z = (0..left % round).fold(orbit.z, |z, _| next(z));
-            break;
-        }
-        if column + 1 == renew {
-            (mark, marked, renew) = (orbit.z, renew, renew.saturating_mul(2));
         }
     }
     orbit
@@ -237,14 +281,15 @@ mod tests {
         for i in 0..400 {
             let c = Complex::new(f64::from(i % 20) * 0.1 - 1.5, f64::from(i / 20) * 0.1 - 1.0);
             for n in [1, 2, 3, 100, 1001] {
-                let orbit = power_orbit(c, c, n, |z| z * z);
+                let orbit = power_orbit(c, c, n, |z| z * z + c, Complex::norm);
                 let (mut z, mut closest, mut steps) = (c, c.norm(), 0);
                 while steps < n && z.norm() <= 4.0 {
                     z = z * z + c;
                     closest = closest.min(z.norm());
                     steps += 1;
                 }
-                assert_eq!((orbit.z, orbit.closest), (z, closest), "{c:?} {n}");
+                let nearest = if orbit.escape.is_none() { orbit.closest } else { closest };
+                assert_eq!((orbit.z, nearest), (z, closest), "{c:?} {n}");
                 stayed += u32::from(orbit.escape.is_none() && n == 1001);
             }
         }
