@@ -3,7 +3,7 @@ mod stage;
 
 use std::sync::Arc;
 
-use raggio_math::{Affine, transform};
+use raggio_math::transform;
 use raggio_scene::*;
 use stage::*;
 

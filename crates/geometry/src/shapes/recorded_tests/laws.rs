@@ -89,7 +89,7 @@ fn a_blobs_components_share_a_point_by_their_fields() {
 }
 
 /// A square ring and, beside it, a half disc bounded by a parabola.
-fn text() -> Subject {
+pub(super) fn text() -> Subject {
     use raggio_scene::{Contour, Glyph};
     let square = |r: f64| {
         let p = points(&[(-r, -r), (-r, r), (r, r), (r, -r), (-r, -r)]);
