@@ -73,6 +73,11 @@ impl Cuboid {
         Cuboid { min, max }
     }
 
+    /// The box.
+    pub(crate) fn extent(&self) -> Aabb {
+        Aabb { min: self.min, max: self.max }
+    }
+
     /// The same box stretched along the axes, then moved.
     pub(crate) fn moved(&self, scale: Vec3, offset: Vec3) -> Self {
         Cuboid { min: self.min * scale + offset, max: self.max * scale + offset }
