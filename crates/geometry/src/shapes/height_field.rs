@@ -148,10 +148,11 @@ impl HeightField {
         let mut nearest: Option<Block> = None;
         let mut consider = |di: u32, dj: u32, (lo, y_lo): (f64, f64), (hi, y_hi): (f64, f64)| {
             let part = Block { level, i: i + di, j: j + dj, lo, hi };
-            if lo < hi && self.may_meet(below, &part, (y_lo, y_hi)) {
-                if let Some(farther) = nearest.replace(part) {
-                    waiting.push(farther);
-                }
+            if lo < hi
+                && self.may_meet(below, &part, (y_lo, y_hi))
+                && let Some(farther) = nearest.replace(part)
+            {
+                waiting.push(farther);
             }
         };
         consider(1 - di, 1 - dj, (second, y_second), (block.hi, y(block.hi)));
