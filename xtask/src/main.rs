@@ -20,8 +20,8 @@ usage: cargo xtask <command>
               [--references FOLDER] [--library FOLDER] [--binary FILE]
       every scene below the folder with our renderer and with POV-Ray, compared by FLIP;
       --povray makes missing references, --references takes finished ones
-  bench FOLDER [--filter TEXT] [--runs 3] [--threads 2] [--binary FILE]
-      whole-process times against POV-Ray for the scenes in benches/speed.txt
+  bench FOLDER [--set speed] [--antialias] [--filter TEXT] [--runs 3] [--threads 2] [--binary FILE]
+      whole-process times against POV-Ray for the scenes in benches/SET.txt
   speed-parse [--runs 3] [--binary FILE]
       the same for scenes/bench/parse-*.pov, whose time goes into reading
   scaling [--filter TEXT] [--most N] [--runs 3] [--binary FILE]
@@ -35,7 +35,7 @@ fn main() -> ExitCode {
     let outcome = match command.as_str() {
         "tidy" => tidy::run(&rest),
         "conformance" => conformance::run(&rest),
-        "bench" => bench::speed(&rest),
+        "bench" => bench::frames(&rest),
         "speed-parse" => bench::parse(&rest),
         "scaling" => scaling::run(&rest),
         _ => Err(USAGE.to_string()),

@@ -139,7 +139,8 @@ impl Walk {
                 mesh.textures.iter().map(|t| Some(self.materials.texture(t, &place))).collect()
             }
             Shape::Blob(blob) => {
-                let mut own = |t: &Placed<_>| self.materials.texture(&t.item, &(place * t.parent_from_item));
+                let mut own =
+                    |t: &Placed<_>| self.materials.texture(&t.item, &(place * t.parent_from_item()));
                 blob.components.iter().map(|part| part.texture.as_ref().map(&mut own)).collect()
             }
             _ => return,

@@ -9,6 +9,7 @@ pub mod noise;
 pub mod poly;
 mod ray;
 pub mod transform;
+pub mod turns;
 
 pub use aabb::Aabb;
 pub use glam::{DAffine3 as Affine, DMat3 as Mat3, DVec2 as Vec2, DVec3 as Vec3, DVec4 as Vec4};

@@ -126,10 +126,10 @@ fn height_fields_come_from_functions_too() {
 fn textures_move_with_what_they_are_on_from_when_they_are_there() {
     let o = object("sphere { 0, 1 translate x texture { pigment { checker } } scale 2 }");
     let texture = o.texture.as_ref().expect("a texture");
-    assert_eq!(texture.parent_from_item.transform_point3(Vec3::X), Vec3::X * 2.0);
+    assert_eq!(texture.parent_from_item().transform_point3(Vec3::X), Vec3::X * 2.0);
     assert_eq!(o.parent_from_object.transform_point3(Vec3::ZERO), Vec3::X * 2.0);
     let o = object("sphere { 0, 1 uv_mapping pigment { checker } scale 2 }");
-    assert_eq!(o.texture.as_ref().expect("a texture").parent_from_item, raggio_math::Affine::IDENTITY);
+    assert_eq!(o.texture.as_ref().expect("a texture").parent_from_item(), raggio_math::Affine::IDENTITY);
     assert_eq!(run("sphere { 0, 1 pigment { checker } uv_mapping }").error(), "late-uv-mapping");
 }
 

@@ -198,6 +198,12 @@ fn facing(point: &SurfacePoint<'_>, lit: &Lit<'_>, dir: Vec3) -> Option<bool> {
     (lit.finish.diffuse_back != 0.0).then_some(true)
 }
 
+/// `x` to the power of `exponent`; 0 below 1e-11, where most of a surface lies and nothing is seen.
+fn lobe(x: f64, exponent: f64) -> f32 {
+    // The logarithm of x is at most x - 1.
+    if exponent * (x - 1.0) < -25.0 { 0.0 } else { x.powf(exponent) as f32 }
+}
+
 /// The strength of `phong` and `specular` highlights together.
 fn highlight(lit: &Lit<'_>, dir: Vec3) -> f32 {
     let finish = lit.finish;
@@ -207,14 +213,14 @@ fn highlight(lit: &Lit<'_>, dir: Vec3) -> f32 {
         let x = mirrored.dot(dir);
         // Sharp highlights are cut where their power would be lost in rounding.
         if x > 0.0 && (finish.phong_size < 60.0 || x > 0.0008) {
-            strength += finish.phong * x.powf(f64::from(finish.phong_size)) as f32;
+            strength += finish.phong * lobe(x, f64::from(finish.phong_size));
         }
     }
     if finish.specular > 0.0 {
         let halfway = (dir - lit.view) * 0.5;
         let x = lit.n.dot(halfway) / halfway.length();
         if x > 0.0 {
-            strength += finish.specular * x.powf(1.0 / f64::from(finish.roughness)) as f32;
+            strength += finish.specular * lobe(x, 1.0 / f64::from(finish.roughness));
         }
     }
     strength

@@ -61,7 +61,7 @@ impl MediaList {
     /// Compiles media that were written in the coordinates given.
     pub fn new(media: &[Placed<scene::Media>], world_from_parent: &Affine, noise: Noise) -> MediaList {
         let compile = |m: &Placed<scene::Media>| {
-            Medium::new(&m.item, &(*world_from_parent * m.parent_from_item), noise)
+            Medium::new(&m.item, &(*world_from_parent * m.parent_from_item()), noise)
         };
         MediaList { media: media.iter().map(compile).collect() }
     }
@@ -80,7 +80,7 @@ impl Medium {
         let densities: Vec<_> = written
             .into_iter()
             .map(|density| {
-                let world_from_density = *world_from_media * density.parent_from_item;
+                let world_from_density = *world_from_media * density.parent_from_item();
                 (Pigment::compile(&density.item.0, noise), world_from_density.inverse())
             })
             .collect();

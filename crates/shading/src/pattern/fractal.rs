@@ -181,3 +181,29 @@ fn interior(settings: &FractalSettings, orbit: &Orbit) -> f64 {
         _ => z.re * z.re + z.im * z.im * factor,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_last_exterior_types_repeat_the_iterations() {
+        let value = |exterior_type, exterior_factor| {
+            let kind = FractalKind::Power(2);
+            let settings = FractalSettings {
+                kind,
+                julia: None,
+                iterations: 25,
+                exterior_type,
+                exterior_factor,
+                interior_type: 0,
+                interior_factor: 1.0,
+            };
+            // 0.4, 0.56, 0.71, 0.91, 1.23, 1.90, 4.03: escapes in the iteration numbered 5.
+            value(&settings, Vec3::new(0.4, 0.0, 0.0))
+        };
+        let column = value(1, 1.0) * 25.0;
+        assert!((column - 5.0).abs() < 1e-12, "{column}");
+        assert_eq!((value(7, 3.0), value(8, 3.0), value(7, 0.5)), (2.0 / 3.0, 1.0 / 3.0, 0.0));
+    }
+}
