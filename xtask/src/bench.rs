@@ -108,14 +108,7 @@ pub fn parse(words: &[String]) -> Result<(), String> {
 
 impl Runner {
     fn from_args(args: &mut Args, what: What) -> Result<Self, String> {
-        let binary = match args.value("--binary")? {
-            Some(path) => PathBuf::from(path),
-            None => crate::target_folder()?.join("release/raggio"),
-        };
-        let binary = std::path::absolute(&binary).map_err(|e| format!("{}: {e}", binary.display()))?;
-        if !binary.exists() {
-            return Err(format!("{} is missing: cargo build --release", binary.display()));
-        }
+        let binary = process::renderer(args)?;
         let runs = args.parsed("--runs", 3usize)?.max(1);
         Ok(Runner {
             what,

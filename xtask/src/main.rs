@@ -1,8 +1,9 @@
-//! The house's own tools: `cargo xtask tidy | conformance | bench | speed-parse | scaling`. No other crate may depend on this one.
+//! The house's own tools: `cargo xtask tidy | conformance | bench | speed-parse | scaling | fuzz`. No other crate may depend on this one.
 
 mod args;
 mod bench;
 mod conformance;
+mod fuzz;
 mod picture;
 mod process;
 mod scaling;
@@ -26,6 +27,8 @@ usage: cargo xtask <command>
       the same for scenes/bench/parse-*.pov, whose time goes into reading
   scaling [--filter TEXT] [--most N] [--runs 3] [--binary FILE]
       how the time to trace grows with pixels, objects, lights, depth, threads
+  fuzz FOLDER [--count 300] [--seed 1] [--seconds 30] [--binary FILE]
+      scenes below the folder with a few words changed: each must end in a picture or an error message
 ";
 
 fn main() -> ExitCode {
@@ -38,6 +41,7 @@ fn main() -> ExitCode {
         "bench" => bench::frames(&rest),
         "speed-parse" => bench::parse(&rest),
         "scaling" => scaling::run(&rest),
+        "fuzz" => fuzz::run(&rest),
         _ => Err(USAGE.to_string()),
     };
     match outcome {

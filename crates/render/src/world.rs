@@ -150,7 +150,12 @@ impl World {
 
     /// Does the surface at a hit stop all light?
     pub(crate) fn stops_light(&self, hit: &Hit) -> bool {
-        self.geometry.plain_material(hit.leaf).is_some_and(|material| self.opaque[material.0 as usize])
+        self.stops_at(hit.leaf)
+    }
+
+    /// Does the surface of a leaf stop all light?
+    pub(crate) fn stops_at(&self, leaf: u32) -> bool {
+        self.geometry.plain_material(leaf).is_some_and(|material| self.opaque[material.0 as usize])
     }
 
     /// Do photons bring what a surface lets through of a light?
