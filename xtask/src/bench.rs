@@ -52,27 +52,39 @@ struct Runner {
     binary: PathBuf,
     runs: usize,
     threads: usize,
+    /// With both programs' own anti-aliasing.
+    antialias: bool,
     limit: Duration,
 }
 
-/// The scenes of `benches/speed.txt`, found below a folder.
-pub fn speed(words: &[String]) -> Result<(), String> {
+/// The scenes of a list in `benches/`, `speed` unless `--set` names another. They are found below a folder of
+/// POV-Ray's examples, those that begin with `scenes/` in the project.
+pub fn frames(words: &[String]) -> Result<(), String> {
     let mut args = Args::new(words);
     let runner = Runner::from_args(&mut args, What::Frame)?;
     let filter = args.value("--filter")?.unwrap_or_default();
+    let set = args.value("--set")?.unwrap_or_else(|| "speed".into());
     let root = PathBuf::from(args.last_word()?.ok_or("bench needs the folder of POV-Ray's examples")?);
-    let list = crate::root_folder().join("benches/speed.txt");
+    let jobs = read_list(&set, &root, &filter)?;
+    let name = if set == "speed" { "bench".into() } else { format!("bench-{set}") };
+    runner.run(&if runner.antialias { name + "-antialiased" } else { name }, &jobs)
+}
+
+/// The jobs of `benches/SET.txt` whose names contain `filter`.
+fn read_list(set: &str, root: &Path, filter: &str) -> Result<Vec<Job>, String> {
+    let list = crate::root_folder().join(format!("benches/{set}.txt"));
     let text = std::fs::read_to_string(&list).map_err(|e| format!("{}: {e}", list.display()))?;
     let mut jobs = Vec::new();
     for line in text.lines().map(str::trim).filter(|l| !l.is_empty() && !l.starts_with('#')) {
         let (name, size) =
             line.split_once(char::is_whitespace).ok_or_else(|| format!("no size in `{line}`"))?;
         let size = parse_size(size.trim()).ok_or_else(|| format!("`{size}` is no size"))?;
-        if name.contains(&filter) {
-            jobs.push(Job { name: name.into(), scene: root.join(name), size });
+        if name.contains(filter) {
+            let own = name.starts_with("scenes/").then(crate::root_folder);
+            jobs.push(Job { name: name.into(), scene: own.as_deref().unwrap_or(root).join(name), size });
         }
     }
-    runner.run("bench", &jobs)
+    Ok(jobs)
 }
 
 /// The scenes `scenes/bench/parse-*.pov`: how long reading them takes, by what both programs print of it.
@@ -96,20 +108,14 @@ pub fn parse(words: &[String]) -> Result<(), String> {
 
 impl Runner {
     fn from_args(args: &mut Args, what: What) -> Result<Self, String> {
-        let binary = match args.value("--binary")? {
-            Some(path) => PathBuf::from(path),
-            None => crate::target_folder()?.join("release/raggio"),
-        };
-        let binary = std::path::absolute(&binary).map_err(|e| format!("{}: {e}", binary.display()))?;
-        if !binary.exists() {
-            return Err(format!("{} is missing: cargo build --release", binary.display()));
-        }
+        let binary = process::renderer(args)?;
         let runs = args.parsed("--runs", 3usize)?.max(1);
         Ok(Runner {
             what,
             binary,
             runs,
             threads: args.parsed("--threads", 2)?,
+            antialias: args.flag("--antialias"),
             limit: Duration::from_secs(300),
         })
     }
@@ -136,7 +142,7 @@ impl Runner {
         }
         let ratios: Vec<f64> = timings.iter().map(|t| t.ratio).collect();
         let results = Results {
-            command: format!("cargo xtask {command}"),
+            command: command.into(),
             threads: self.threads,
             runs: self.runs,
             geometric_mean: geometric_mean(&ratios),
@@ -186,7 +192,8 @@ impl Runner {
         let (folder, name) = place(&job.scene);
         let mut command = Command::new("povray");
         command.current_dir(folder).arg(format!("+I\"{name}\"")).arg(format!("+O\"{}\"", picture("povray")));
-        command.arg(format!("+W{}", job.size.0)).arg(format!("+H{}", job.size.1)).args(["-A", "-D"]);
+        command.arg(format!("+W{}", job.size.0)).arg(format!("+H{}", job.size.1)).arg("-D");
+        command.arg(if self.antialias { "+A0.3" } else { "-A" });
         command.arg(format!("+WT{}", self.threads));
         if let Some(library) = installed_library() {
             command.arg(format!("+L\"{}\"", library.display()));
@@ -200,6 +207,9 @@ impl Runner {
         command.current_dir(folder).arg("render").arg(name).arg("-o").arg(picture("raggio"));
         command.arg("--size").arg(format!("{}x{}", job.size.0, job.size.1));
         command.arg("--threads").arg(self.threads.to_string()).arg("--timing");
+        if self.antialias {
+            command.arg("--antialias=0.3");
+        }
         if let Some(library) = installed_library() {
             command.arg("--library").arg(library);
         }

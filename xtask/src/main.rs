@@ -1,8 +1,9 @@
-//! The house's own tools: `cargo xtask tidy | conformance | bench | speed-parse | scaling`. No other crate may depend on this one.
+//! The house's own tools: `cargo xtask tidy | conformance | bench | speed-parse | scaling | fuzz`. No other crate may depend on this one.
 
 mod args;
 mod bench;
 mod conformance;
+mod fuzz;
 mod picture;
 mod process;
 mod scaling;
@@ -20,12 +21,14 @@ usage: cargo xtask <command>
               [--references FOLDER] [--library FOLDER] [--binary FILE]
       every scene below the folder with our renderer and with POV-Ray, compared by FLIP;
       --povray makes missing references, --references takes finished ones
-  bench FOLDER [--filter TEXT] [--runs 3] [--threads 2] [--binary FILE]
-      whole-process times against POV-Ray for the scenes in benches/speed.txt
+  bench FOLDER [--set speed] [--antialias] [--filter TEXT] [--runs 3] [--threads 2] [--binary FILE]
+      whole-process times against POV-Ray for the scenes in benches/SET.txt
   speed-parse [--runs 3] [--binary FILE]
       the same for scenes/bench/parse-*.pov, whose time goes into reading
   scaling [--filter TEXT] [--most N] [--runs 3] [--binary FILE]
       how the time to trace grows with pixels, objects, lights, depth, threads
+  fuzz FOLDER [--count 300] [--seed 1] [--seconds 30] [--binary FILE]
+      scenes below the folder with a few words changed: each must end in a picture or an error message
 ";
 
 fn main() -> ExitCode {
@@ -35,9 +38,10 @@ fn main() -> ExitCode {
     let outcome = match command.as_str() {
         "tidy" => tidy::run(&rest),
         "conformance" => conformance::run(&rest),
-        "bench" => bench::speed(&rest),
+        "bench" => bench::frames(&rest),
         "speed-parse" => bench::parse(&rest),
         "scaling" => scaling::run(&rest),
+        "fuzz" => fuzz::run(&rest),
         _ => Err(USAGE.to_string()),
     };
     match outcome {

@@ -1,7 +1,23 @@
-//! Running programs with a time limit.
+//! Running programs with a time limit, ours above all.
 
+use crate::args::Args;
+use std::path::PathBuf;
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
+
+/// Our program: what `--binary` says, or the one that `cargo build --release` makes.
+pub fn renderer(args: &mut Args) -> Result<PathBuf, String> {
+    let binary = match args.value("--binary")? {
+        Some(path) => PathBuf::from(path),
+        None => crate::target_folder()?.join("release/raggio"),
+    };
+    let binary = std::path::absolute(&binary).map_err(|e| format!("{}: {e}", binary.display()))?;
+    if binary.exists() {
+        Ok(binary)
+    } else {
+        Err(format!("{} is missing: cargo build --release", binary.display()))
+    }
+}
 
 /// How a program ended.
 pub struct Outcome {

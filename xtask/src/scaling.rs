@@ -74,10 +74,7 @@ pub fn run(words: &[String]) -> Result<(), String> {
     let filter = args.value("--filter")?.unwrap_or_default();
     let most = args.parsed("--most", u64::MAX)?;
     let runs = args.parsed("--runs", 3usize)?.max(1);
-    let binary = match args.value("--binary")? {
-        Some(path) => std::path::absolute(&path).map_err(|e| format!("{path}: {e}"))?,
-        None => crate::target_folder()?.join("release/raggio"),
-    };
+    let binary = process::renderer(&mut args)?;
     if let Some(word) = args.last_word()? {
         return Err(format!("unexpected `{word}`"));
     }

@@ -1,6 +1,6 @@
 //! The convex part of an intersection: its planes and spheres, which say at once where a ray can be inside at all. Clips
 //! are as good as members.
-use raggio_math::{Aabb, EPS, Ray, Vec3};
+use raggio_math::{Aabb, Affine, EPS, Ray, Vec3, transform};
 
 use crate::leaf::{Leaves, Prim};
 use crate::shapes::{Plane, Sphere};
@@ -57,6 +57,16 @@ impl Convex {
         let margin = |t: f64| MARGIN * (1.0 + t.abs());
         let (from, to) = (enter - margin(enter), leave + margin(leave));
         (from <= to).then_some((from.max(range.0), to.min(range.1)))
+    }
+
+    /// Its planes in other coordinates.
+    pub(crate) fn planes_in(&self, there_from_here: &Affine) -> Self {
+        let moved = |plane: &Plane| {
+            let (normal, distance) = plane.side();
+            let n = transform::normal_by_inverse(&there_from_here.inverse(), normal).normalize_or(normal);
+            Plane::new(n, n.dot(there_from_here.transform_point3(normal * distance)))
+        };
+        Convex { planes: self.planes.iter().map(moved).collect(), spheres: Vec::new() }
     }
 
     /// A box around what the planes leave of a box.

@@ -11,6 +11,7 @@ use crate::inherit::{Context, OUTERMOST_ONLY, all_shadowless, effective};
 use crate::leaf::{Leaf, Leaves};
 use crate::materials::Materials;
 use crate::shape_pool::{PlacedShape, ShapePool};
+use crate::solid::Solid;
 use crate::texturing::{Cutaway, Parts};
 use crate::tree::{Group, Member, NodeRef, Op};
 use crate::{BuildError, LightGroupId, MaterialId, PlacedLight, RayClass, TextureId};
@@ -139,7 +140,8 @@ impl Walk {
                 mesh.textures.iter().map(|t| Some(self.materials.texture(t, &place))).collect()
             }
             Shape::Blob(blob) => {
-                let mut own = |t: &Placed<_>| self.materials.texture(&t.item, &(place * t.parent_from_item));
+                let mut own =
+                    |t: &Placed<_>| self.materials.texture(&t.item, &(place * t.parent_from_item()));
                 blob.components.iter().map(|part| part.texture.as_ref().map(&mut own)).collect()
             }
             _ => return,
@@ -224,7 +226,7 @@ impl Walk {
             true => self.fences(&object.bounds, outer)?,
             false => (Vec::new(), Aabb::INFINITE),
         };
-        self.tighten(op, &mut own, &clip_box);
+        self.tighten(op, &mut own, &clips, &clip_box);
         let boxes = combined_boxes(op, &own);
         let mut surface = boxes.surface.intersection(&clip_box);
         if !surface.is_finite() {
@@ -232,7 +234,9 @@ impl Walk {
             // things it is all there is.
             surface = surface.intersection(&bound_box);
         }
-        self.groups[at as usize] = group(op, &own, &self.leaves, clips, bounds);
+        let mut made = group(op, &own, &self.leaves, clips, bounds);
+        made.solid = Solid::new(&made, at, &self.leaves, &self.groups).map(Box::new);
+        self.groups[at as usize] = made;
         Ok(Built {
             member: Member { node: NodeRef::group(at as usize), skip },
             surface,
@@ -243,21 +247,23 @@ impl Walk {
     }
 
     /// Cuts the boxes of unbounded members to what the group lets count of them.
-    fn tighten(&self, op: Op, own: &mut [Built], clip_box: &Aabb) {
+    fn tighten(&self, op: Op, own: &mut [Built], clips: &[NodeRef], clip_box: &Aabb) {
         let limit = match op {
             Op::Intersection => own.iter().fold(*clip_box, |limit, m| limit.intersection(&m.reach)),
             Op::Union | Op::Merge => *clip_box,
         };
+        let limiting = if op == Op::Intersection { &*own } else { &[] };
+        let nodes = limiting.iter().map(|m| m.member.node).chain(clips.iter().copied());
+        let convex = Convex::of(nodes, &self.leaves);
         if op == Op::Intersection {
-            let convex = Convex::of(own.iter().map(|m| m.member.node), &self.leaves);
-            let held = convex.map_or(limit, |convex| convex.bounds_within(&limit));
+            let held = convex.as_ref().map_or(limit, |convex| convex.bounds_within(&limit));
             for m in own.iter_mut().filter(|m| self.leaves.is_plane(m.member.node)) {
                 m.inside = m.inside.intersection(&held);
                 m.reach = m.reach.intersection(&held);
             }
         }
         for m in own.iter_mut().filter(|m| !m.surface.is_finite()) {
-            if let Some((part, turned)) = self.leaves.bounds_within(m.member.node, &limit) {
+            if let Some((part, turned)) = self.leaves.bounds_within(m.member.node, &limit, convex.as_ref()) {
                 m.surface = m.surface.intersection(&part);
                 // What is turned inside out reaches on beyond its surface.
                 if !turned {
@@ -392,7 +398,7 @@ fn group(op: Op, built: &[Built], leaves: &Leaves, clips: Vec<NodeRef>, bounds: 
     let members: Vec<_> = built.iter().map(|b| b.member).collect();
     let limiting = if op == Op::Intersection { &members[..] } else { &[] };
     let convex = Convex::of(limiting.iter().map(|m| m.node).chain(clips.iter().copied()), leaves);
-    Group { op, members, surfaces, deciders, clips, bounds, convex, ranked: true }
+    Group { op, members, surfaces, deciders, clips, bounds, convex, solid: None, ranked: true }
 }
 
 /// What boxes tell about each member; those that are cheap to ask first.

@@ -76,12 +76,13 @@ impl Context {
         // Textures of an object with uv_mapping do not move with what is around it.
         let around = if object.uv_mapping { Affine::IDENTITY } else { self.world_from_here };
         if let Some(texture) = &object.texture {
-            c.texture = Some(materials.texture(&texture.item, &(around * texture.parent_from_item)));
+            c.texture = Some(materials.texture(&texture.item, &(around * texture.parent_from_item())));
             c.uv_mapping = false;
             c.cutaway = None;
         }
         if let Some(texture) = &object.interior_texture {
-            c.interior_texture = Some(materials.texture(&texture.item, &(around * texture.parent_from_item)));
+            c.interior_texture =
+                Some(materials.texture(&texture.item, &(around * texture.parent_from_item())));
         }
         c.uv_mapping |= object.uv_mapping;
         // A top-level object without an interior has one of its own nevertheless, and its parts share it.

@@ -1,8 +1,9 @@
 //! Leaves: shapes at their places, asked in world coordinates.
 use raggio_math::{Aabb, Affine, Ray, Vec2, Vec3, transform};
 
+use crate::convex::Convex;
 use crate::index::transformed;
-use crate::shapes::{Cuboid, Few, Plane, ShapeKind, Sphere};
+use crate::shapes::{Cuboid, Few, Plane, ShapeKind, Sphere, Stretch};
 use crate::tree::{Node, NodeRef};
 use crate::{Hit, LocalHit, MaterialId, Surface};
 
@@ -149,6 +150,32 @@ impl Leaves {
         Some(1.0)
     }
 
+    /// Where the ray is inside the shape of a leaf that [`Leaves::has_stretch`], its inversion not counted; `None` where
+    /// rounding leaves it open.
+    #[inline]
+    pub(crate) fn stretch(&self, index: u32, ray: &Ray) -> Option<Stretch> {
+        Some(match &self.leaves[index as usize].prim {
+            Prim::Sphere { sphere, .. } => Stretch::between(sphere.chord(ray)),
+            Prim::Plane(plane) => plane.stretch(ray),
+            Prim::Box(cuboid) => cuboid.stretch(ray),
+            Prim::PlacedBox { cuboid, place } => {
+                cuboid.stretch(&ray.transformed(&self.places[*place as usize]))
+            }
+            Prim::World(s) => self.shapes[*s as usize].stretch(ray)?,
+            Prim::Placed { shape, place } => {
+                let local = LocalRay::new(ray, &self.places[*place as usize]);
+                let found = self.shapes[*shape as usize].stretch(&local.ray)?;
+                let (enter, leave) = (found.enter / local.stretch, found.leave / local.stretch);
+                Stretch { enter, leave, ..found }
+            }
+        })
+    }
+
+    /// Is a ray always inside the leaf's shape on one stretch, or beyond one?
+    pub(crate) fn has_stretch(&self, leaf: u32) -> bool {
+        self.shape(leaf).is_none_or(ShapeKind::has_stretch)
+    }
+
     /// The nearest hit of one leaf that `counts` says yes to. Only for shapes with few hits: `None` for others.
     #[inline]
     pub(crate) fn closest_of_few(
@@ -231,17 +258,26 @@ impl Leaves {
         buffer.truncate(start);
     }
 
-    /// A box around the part of a node's surface that lies within a box, and whether the solid is turned inside out;
-    /// `None` where nothing better than its own box is known.
-    pub(crate) fn bounds_within(&self, node: NodeRef, within: &Aabb) -> Option<(Aabb, bool)> {
+    /// A box around the part of a node's surface that lies within a box and behind some planes, and whether the solid is
+    /// turned inside out; `None` where nothing better than its own box is known.
+    pub(crate) fn bounds_within(
+        &self,
+        node: NodeRef,
+        within: &Aabb,
+        behind: Option<&Convex>,
+    ) -> Option<(Aabb, bool)> {
         let Node::Leaf(leaf) = node.node() else { return None };
         let ShapeKind::Quadric(quadric) = self.shape(leaf)? else { return None };
         let turned = quadric.is_turned() || self.leaves[leaf as usize].inverted;
         let Prim::Placed { place, .. } = self.leaves[leaf as usize].prim else {
-            return Some((quadric.bounds_within(within), turned));
+            let held = behind.map_or(*within, |planes| planes.bounds_within(within));
+            return Some((quadric.bounds_within(&held), turned));
         };
+        // Planes that are slanted in the world often stand straight beside the quadric.
         let object_from_world = &self.places[place as usize];
-        let part = quadric.bounds_within(&transformed(within, object_from_world));
+        let within = transformed(within, object_from_world);
+        let held = behind.map_or(within, |planes| planes.planes_in(object_from_world).bounds_within(&within));
+        let part = quadric.bounds_within(&held);
         Some((transformed(&part, &object_from_world.inverse()), turned))
     }
 

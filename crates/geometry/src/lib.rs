@@ -10,14 +10,17 @@ mod inherit;
 mod leaf;
 mod materials;
 mod probe;
+mod screen;
 mod shaft;
 mod shape_pool;
 mod shapes;
+mod solid;
 mod surface;
 mod texturing;
 mod tree;
 mod world;
 
+pub use screen::{Lanes, RAYS, Screen, Verdict};
 pub use shaft::{Shaft, Standing};
 pub use surface::{LocalHit, Surface};
 pub use world::{

@@ -34,7 +34,7 @@ impl Materials {
             let identity = *world_from_texture == Affine::IDENTITY;
             textures.push(PlacedTexture {
                 texture: texture.clone(),
-                texture_from_world: (!identity).then(|| world_from_texture.inverse()),
+                texture_from_world: (!identity).then(|| Box::new(world_from_texture.inverse())),
             });
             TextureId(textures.len() as u32 - 1)
         })
@@ -42,9 +42,11 @@ impl Materials {
 
     /// A new interior: each has an identity of its own.
     pub(crate) fn interior(&mut self, interior: &Placed<Interior>, world_from_parent: &Affine) -> InteriorId {
+        let world_from_interior = *world_from_parent * interior.parent_from_item();
+        let moved = world_from_interior != Affine::IDENTITY;
         self.interiors.push(InteriorInfo {
             interior: interior.item.clone(),
-            world_from_interior: *world_from_parent * interior.parent_from_item,
+            world_from_interior: moved.then(|| Box::new(world_from_interior)),
             hollow: false,
         });
         InteriorId(self.interiors.len() as u32 - 1)

@@ -11,6 +11,7 @@ use crate::convex::Convex;
 use crate::index::{Deciders, ENOUGH, Index};
 use crate::leaf::Leaves;
 use crate::probe::Probe;
+use crate::solid::Solid;
 use crate::{Hit, LocalHit};
 
 /// A node: a leaf or a group.
@@ -78,6 +79,8 @@ pub(crate) struct Group {
     pub(crate) bounds: Vec<NodeRef>,
     /// What it lies within: planes and spheres of an intersection, and of the clips.
     pub(crate) convex: Option<Convex>,
+    /// The whole of it, if it is small and simple.
+    pub(crate) solid: Option<Box<Solid>>,
     /// Do the ranks of leaves decide between equally near hits, or does the first found?
     pub(crate) ranked: bool,
 }
@@ -167,6 +170,11 @@ impl Tree {
         scratch: &mut Scratch,
         stops: &F,
     ) -> Option<Hit> {
+        if let Some(solid) = &group.solid
+            && let Some(found) = solid.closest(self, &probe.ray, range)
+        {
+            return found;
+        }
         if !self.within_bounds(group, probe, scratch) {
             return None;
         }
@@ -241,6 +249,18 @@ impl Tree {
             }
             Node::Group(group) => &self.groups[group as usize],
         };
+        if let Some(solid) = &group.solid {
+            let hits = &mut scratch.lists().hits;
+            let start = hits.len();
+            let swept = solid.sweep(self, &probe.ray, range, |hit| {
+                hits.push(hit);
+                true
+            });
+            if swept.is_some() {
+                return;
+            }
+            hits.truncate(start);
+        }
         if !self.within_bounds(group, probe, scratch) {
             return;
         }
@@ -269,7 +289,7 @@ impl Tree {
     }
 
     /// Does a point on the surface of a member belong to the surface of the group?
-    fn counts(&self, group: &Group, member: u32, p: Vec3) -> bool {
+    pub(crate) fn counts(&self, group: &Group, member: u32, p: Vec3) -> bool {
         self.within_clips(group, p)
             && match group.op {
                 Op::Union => true,

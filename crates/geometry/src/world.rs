@@ -65,7 +65,7 @@ pub struct PlacedTexture {
     /// Shared by pointer: compile each once.
     pub texture: Arc<Texture>,
     /// `None` is the identity.
-    pub texture_from_world: Option<Affine>,
+    pub texture_from_world: Option<Box<Affine>>,
 }
 
 /// What hangs on a leaf of the object tree, all inheritance done.
@@ -98,8 +98,8 @@ pub struct Material {
 pub struct InteriorInfo {
     /// What it is.
     pub interior: Arc<Interior>,
-    /// Where its media are.
-    pub world_from_interior: Affine,
+    /// Where its media are; `None` is the identity.
+    pub world_from_interior: Option<Box<Affine>>,
     /// `hollow`, by the rules of section 8 of the shapes spec.
     pub hollow: bool,
 }

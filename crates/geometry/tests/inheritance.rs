@@ -101,7 +101,7 @@ fn textures_move_with_their_objects() {
     );
     tree.transform(&translate(Vec3::X));
     let geometry = compile(tree);
-    let back = geometry.textures[0].texture_from_world.expect("it was moved");
+    let back = geometry.textures[0].texture_from_world.as_deref().expect("it was moved");
     assert_eq!(back.transform_point3(Vec3::new(5.0, 2.0, 0.0)), Vec3::new(2.0, 1.0, 0.0));
 }
 

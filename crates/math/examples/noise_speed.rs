@@ -3,7 +3,7 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use raggio_math::Vec3;
-use raggio_math::noise::{dnoise, noise, turbulence};
+use raggio_math::noise::{dnoise, dturbulence, noise, noise4, turbulence};
 
 const COUNT: u32 = 10_000;
 const RUNS: usize = 500;
@@ -27,6 +27,11 @@ fn main() {
     for generator in 1..=3 {
         report(&format!("noise, generator {generator}"), |p| noise(generator, p));
     }
+    let four = |p: Vec3| noise4(2, &[p, 1.1 * p, 0.9 * p, p + 0.02]).iter().sum();
+    report("noise at four points", four);
     report("vector noise", |p| dnoise(p).element_sum());
+    report("vector turbulence of 6 octaves", |p| dturbulence(p, 6, 0.5, 2.0).element_sum());
+    report("turbulence of 4 octaves", |p| turbulence(2, p, 4, 0.5, 2.0));
+    report("turbulence of 8 octaves", |p| turbulence(2, p, 8, 0.5, 2.0));
     report("turbulence of 6 octaves", |p| turbulence(2, p, 6, 0.5, 2.0));
 }

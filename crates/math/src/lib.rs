@@ -9,10 +9,13 @@ pub mod noise;
 pub mod poly;
 mod ray;
 pub mod transform;
+pub mod turns;
+mod wide;
 
 pub use aabb::Aabb;
 pub use glam::{DAffine3 as Affine, DMat3 as Mat3, DVec2 as Vec2, DVec3 as Vec3, DVec4 as Vec4};
 pub use ray::Ray;
+pub use wide::{Wide, wide};
 
 /// The language's "zero": two numbers closer than this are equal (language spec, section 2).
 pub const EPS: f64 = 1e-10;

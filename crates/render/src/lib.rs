@@ -11,6 +11,7 @@ mod film;
 mod integrator;
 mod lights;
 mod media;
+mod packed;
 mod photons;
 mod radiosity;
 mod sampler;

@@ -44,7 +44,7 @@ pub struct World {
 pub(crate) struct WorldTexture {
     pub texture: Arc<Texture>,
     /// From the world to the texture and back; `None` is the identity.
-    pub frame: Option<Frame>,
+    pub frame: Option<Box<Frame>>,
 }
 
 /// A transform with its inverse.
@@ -150,7 +150,12 @@ impl World {
 
     /// Does the surface at a hit stop all light?
     pub(crate) fn stops_light(&self, hit: &Hit) -> bool {
-        self.geometry.plain_material(hit.leaf).is_some_and(|material| self.opaque[material.0 as usize])
+        self.stops_at(hit.leaf)
+    }
+
+    /// Does the surface of a leaf stop all light?
+    pub(crate) fn stops_at(&self, leaf: u32) -> bool {
+        self.geometry.plain_material(leaf).is_some_and(|material| self.opaque[material.0 as usize])
     }
 
     /// Do photons bring what a surface lets through of a light?
@@ -201,7 +206,8 @@ fn compile_textures(geometry: &Geometry, noise: Noise) -> (Vec<WorldTexture>, bo
         });
         let frame = placed
             .texture_from_world
-            .map(|t| Frame { texture_from_world: t, world_from_texture: t.inverse() });
+            .as_deref()
+            .map(|t| Box::new(Frame { texture_from_world: *t, world_from_texture: t.inverse() }));
         WorldTexture { texture: texture.clone(), frame }
     };
     (geometry.textures.iter().map(compile).collect(), asks_uv)
@@ -227,7 +233,11 @@ fn compile_interiors(geometry: &Geometry, rules: &Rules, subsurface: bool) -> Ve
             ior,
             albedo: subsurface.then(|| albedo(ior)),
             dispersion: f64::from(interior.dispersion),
-            media: MediaList::new(&interior.media, &info.world_from_interior, rules.noise),
+            media: MediaList::new(
+                &interior.media,
+                info.world_from_interior.as_deref().unwrap_or(&Affine::IDENTITY),
+                rules.noise,
+            ),
             interior,
         }
     };

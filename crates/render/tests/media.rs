@@ -3,7 +3,7 @@ mod stage;
 
 use std::sync::Arc;
 
-use raggio_math::{Affine, transform};
+use raggio_math::transform;
 use raggio_scene::*;
 use stage::*;
 
@@ -26,10 +26,7 @@ fn ramp(scale: f64, shift: f64) -> Placed<Density> {
 /// A clear box, 2 thick, filled with a medium.
 fn filled(media: Media) -> Object {
     let clear = texture(rgbft([1.0, 1.0, 1.0, 0.0, 1.0]), glowing(0.0));
-    let interior = Interior {
-        media: vec![Placed { item: Arc::new(media), parent_from_item: Affine::IDENTITY }],
-        ..Interior::default()
-    };
+    let interior = Interior { media: vec![Placed::new(Arc::new(media))], ..Interior::default() };
     let mut object = inside(block(v(-5.0, -5.0, 0.0), v(5.0, 5.0, 2.0), clear), interior);
     object.hollow = Some(true);
     object

@@ -10,25 +10,41 @@ use crate::{Interior, Light, Shape, Texture};
 pub struct Placed<T> {
     /// What is placed.
     pub item: Arc<T>,
-    /// Where.
-    pub parent_from_item: Affine,
+    /// Where. Most things were never moved; scenes of a million objects hold millions of these.
+    parent_from_item: Option<Box<Affine>>,
 }
 
 impl<T> Placed<T> {
     /// At the origin, unturned.
     pub fn new(item: Arc<T>) -> Self {
-        Placed { item, parent_from_item: Affine::IDENTITY }
+        Placed { item, parent_from_item: None }
+    }
+
+    /// At a place.
+    pub fn at(item: Arc<T>, parent_from_item: &Affine) -> Self {
+        let mut placed = Placed::new(item);
+        placed.set(*parent_from_item);
+        placed
+    }
+
+    /// Where it is.
+    pub fn parent_from_item(&self) -> Affine {
+        self.parent_from_item.as_deref().copied().unwrap_or(Affine::IDENTITY)
     }
 
     /// Applies a transform after those already applied.
     pub fn transform(&mut self, t: &Affine) {
-        self.parent_from_item = *t * self.parent_from_item;
+        self.set(*t * self.parent_from_item());
+    }
+
+    fn set(&mut self, place: Affine) {
+        self.parent_from_item = (place != Affine::IDENTITY).then(|| Box::new(place));
     }
 }
 
 impl<T> Clone for Placed<T> {
     fn clone(&self) -> Self {
-        Placed { item: self.item.clone(), parent_from_item: self.parent_from_item }
+        Placed { item: self.item.clone(), parent_from_item: self.parent_from_item.clone() }
     }
 }
 

@@ -7,9 +7,10 @@ mod report;
 mod scene;
 
 use crate::args::Args;
+use crate::process;
 use judge::Verdict;
 use scene::Scene;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -37,24 +38,23 @@ pub fn run(words: &[String]) -> Result<(), String> {
         size: args.size("--size", (160, 120))?,
         references: args.value("--references")?.map(absolute).transpose()?,
         library: args.value("--library")?.map(absolute).transpose()?.or_else(installed_library),
-        binary: match args.value("--binary")? {
-            Some(path) => absolute(path)?,
-            None => crate::target_folder()?.join("release/raggio"),
-        },
+        binary: process::renderer(&mut args)?,
         out,
     };
     let jobs = args.parsed("--jobs", 1usize)?.max(1);
     let filter = args.value("--filter")?.unwrap_or_default();
     let root = absolute(args.last_word()?.ok_or("conformance needs a folder of scenes")?)?;
-    if !settings.binary.exists() {
-        return Err(format!("{} is missing: cargo build --release", settings.binary.display()));
-    }
     let scenes = scene::find(&root, &filter)?;
     let verdicts = judge_all(&scenes, &settings, jobs)?;
     report::print(&scenes, &verdicts);
     let page = page::write(&scenes, &verdicts, &settings.out)?;
     println!("\npage: {}", page.display());
     Ok(())
+}
+
+/// The scene files below a folder, in a fixed order.
+pub fn scenes_below(root: &Path) -> Result<Vec<PathBuf>, String> {
+    Ok(scene::find(root, "")?.into_iter().map(|scene| scene.path).collect())
 }
 
 /// Debian's place for POV-Ray's include files, where they are installed.

@@ -11,7 +11,7 @@ macro_rules! kernel {
 
             use crate::kernel::{SLACK, Slab};
             use crate::mesh::double::Sheared;
-            use crate::mesh::scalar::{Prepared, slab};
+            use crate::mesh::leaf::AXES;
             use crate::mesh::{Block, LEAF, MeshBvh, MeshHit, MeshRay, Node, ROOT, STACK, TriangleHit};
             use crate::round::{down, up};
 
@@ -55,6 +55,42 @@ macro_rules! kernel {
                         near: [32 * slab.near[0], 32 * slab.near[1], 32 * slab.near[2]],
                         far: [32 * slab.far[0], 32 * slab.far[1], 32 * slab.far[2]],
                         t_min: _mm256_set1_ps(t_min),
+                    }
+                }
+
+                /// A ray in single precision, which is taken to be exact.
+                #[inline]
+                #[target_feature(enable = $features)]
+                fn single(ray: &MeshRay) -> Boxes {
+                    // SAFETY: four floats, aligned to 16 by the type.
+                    let dir = unsafe { _mm_load_ps(ray.dir.as_ptr()) };
+                    // A direction of 0 becomes tiny: the box test then never multiplies 0 by infinity.
+                    let (sign, tiny) = (_mm_set1_ps(-0.0), _mm_set1_ps(1e-18));
+                    let size = _mm_max_ps(_mm_andnot_ps(sign, dir), tiny);
+                    let inverse = _mm_div_ps(_mm_set1_ps(1.0), _mm_or_ps(size, _mm_and_ps(dir, sign)));
+                    let slack = _mm_mul_ps(inverse, _mm_set1_ps(SLACK));
+                    let backwards = _mm_movemask_ps(inverse) as usize;
+                    let side = [96 * (backwards & 1), 96 * (backwards >> 1 & 1), 96 * (backwards >> 2 & 1)];
+                    let origin = [
+                        _mm256_broadcast_ss(&ray.origin[0]),
+                        _mm256_broadcast_ss(&ray.origin[1]),
+                        _mm256_broadcast_ss(&ray.origin[2]),
+                    ];
+                    let all = |v: __m128| {
+                        [
+                            _mm256_broadcastss_ps(v),
+                            _mm256_broadcastss_ps(_mm_shuffle_ps::<0b01_01_01_01>(v, v)),
+                            _mm256_broadcastss_ps(_mm_shuffle_ps::<0b10_10_10_10>(v, v)),
+                        ]
+                    };
+                    Boxes {
+                        near_origin: origin,
+                        far_origin: origin,
+                        inverse: all(inverse),
+                        far_inverse: all(slack),
+                        near: [side[0], 32 + side[1], 64 + side[2]],
+                        far: [96 - side[0], 128 - side[1], 160 - side[2]],
+                        t_min: _mm256_broadcast_ss(&ray.t_min),
                     }
                 }
 
@@ -158,8 +194,7 @@ macro_rules! kernel {
 
             #[target_feature(enable = $features)]
             pub(super) fn closest(bvh: &MeshBvh, ray: &MeshRay) -> Option<MeshHit> {
-                let prepared = Prepared::new(ray);
-                let (boxes, single) = (Boxes::new(&slab(ray), ray.t_min), Single::new(&prepared, ray.t_min));
+                let (boxes, single) = (Boxes::single(ray), Single::new(ray));
                 let mut nearest = MeshHit { t: ray.t_max, triangle: u32::MAX };
                 walk(bvh, &boxes, ray.t_max, |block, t_max| {
                     let (mask, t) = single.hit(block, t_max);
@@ -173,8 +208,7 @@ macro_rules! kernel {
 
             #[target_feature(enable = $features)]
             pub(super) fn any(bvh: &MeshBvh, ray: &MeshRay) -> bool {
-                let prepared = Prepared::new(ray);
-                let (boxes, single) = (Boxes::new(&slab(ray), ray.t_min), Single::new(&prepared, ray.t_min));
+                let (boxes, single) = (Boxes::single(ray), Single::new(ray));
                 let t_max = _mm256_set1_ps(ray.t_max);
                 let mut stack = [MaybeUninit::<u32>::uninit(); STACK];
                 let mut top = 0usize;

@@ -8,6 +8,7 @@ use smallvec::SmallVec;
 
 use super::collect::{Collect, searched_from};
 use super::parts::Parts;
+use crate::shape_pool::uniform_scale;
 use crate::texturing::PartUses;
 use crate::{LocalHit, Surface};
 
@@ -23,13 +24,25 @@ pub(crate) struct Blob {
     parts: Parts,
 }
 
-/// A component in a frame of its own where its radius is 1: a ball about the origin, or a rod from the origin along z.
+/// A component.
 #[derive(Clone, Copy, Debug)]
 struct Element {
     strength: f64,
-    unit_from_blob: Affine,
-    /// Length of a rod in radii; 0 for a ball.
-    length: f64,
+    form: Form,
+}
+
+/// What a component is the field of.
+#[derive(Clone, Copy, Debug)]
+enum Form {
+    /// A ball that is round where rays are asked.
+    Ball { centre: Vec3, per_radius2: f64 },
+    /// Anything else, in a frame of its own where its radius is 1: a ball about the origin, or a rod from the origin along
+    /// z.
+    Placed {
+        unit_from_blob: Affine,
+        /// Length of a rod in radii; 0 for a ball.
+        length: f64,
+    },
 }
 
 /// Where a component acts along a ray: on `from..to`, with `u(t) = peak - bend (t - middle)^2`.
@@ -61,60 +74,86 @@ impl Element {
                 (to_unit, (cap - base).length() / radius)
             }
         };
-        Element {
-            strength: component.strength,
-            unit_from_blob: unit_from_component * component_from_blob,
-            length,
-        }
+        let unit_from_blob = unit_from_component * component_from_blob;
+        let form = match uniform_scale(&unit_from_blob) {
+            Some(scale) if length == 0.0 && scale > 0.0 => {
+                let centre = unit_from_blob.inverse().transform_point3(Vec3::ZERO);
+                Form::Ball { centre, per_radius2: scale * scale }
+            }
+            _ => Form::Placed { unit_from_blob, length },
+        };
+        Element { strength: component.strength, form }
     }
 
     fn bounds(&self) -> Aabb {
-        if !self.unit_from_blob.is_finite() {
-            return Aabb::EMPTY;
+        match &self.form {
+            Form::Ball { centre, per_radius2 } => {
+                Aabb { min: *centre, max: *centre }.grown(per_radius2.sqrt().recip())
+            }
+            Form::Placed { unit_from_blob, .. } if !unit_from_blob.is_finite() => Aabb::EMPTY,
+            Form::Placed { unit_from_blob, length } => {
+                let unit = Aabb::new(Vec3::splat(-1.0), Vec3::new(1.0, 1.0, 1.0 + length));
+                unit.transformed(&unit_from_blob.inverse())
+            }
         }
-        let unit = Aabb::new(Vec3::splat(-1.0), Vec3::new(1.0, 1.0, 1.0 + self.length));
-        unit.transformed(&self.unit_from_blob.inverse())
     }
 
-    /// The vector from the component's centre or axis to the point, in radii, and `u = 1 - |vector|^2`.
+    /// `u = 1 - d^2`, where d is the distance from the component's centre or axis in radii; and minus half its gradient.
     #[inline]
     fn field(&self, p: Vec3) -> (Vec3, f64) {
-        let mut q = self.unit_from_blob.transform_point3(p);
-        q.z -= q.z.clamp(0.0, self.length);
-        (q, 1.0 - q.length_squared())
+        match &self.form {
+            Form::Ball { centre, per_radius2 } => {
+                let away = (p - *centre) * *per_radius2;
+                (away, 1.0 - away.dot(p - *centre))
+            }
+            Form::Placed { unit_from_blob, length } => {
+                let mut q = unit_from_blob.transform_point3(p);
+                q.z -= q.z.clamp(0.0, *length);
+                (transform::normal_by_inverse(unit_from_blob, q), 1.0 - q.length_squared())
+            }
+        }
     }
 
-    fn add_spans(&self, ray: &Ray, range: (f64, f64), out: &mut Spans) {
-        let unit = ray.transformed(&self.unit_from_blob);
+    /// The spans in `range` on the ray that reach into what is `wanted`.
+    #[inline]
+    fn add_spans(&self, ray: &Ray, range: (f64, f64), wanted: (f64, f64), out: &mut Spans) {
+        let (unit, length) = match &self.form {
+            Form::Ball { centre, per_radius2 } => {
+                return self.add_span(ray.origin - *centre, ray.dir, *per_radius2, range, wanted, out);
+            }
+            Form::Placed { unit_from_blob, length } => (ray.transformed(unit_from_blob), *length),
+        };
         let (o, d) = (unit.origin, unit.dir);
-        if self.length == 0.0 {
-            return self.add_span(o, d, range, out);
+        let mut add_span = |o: Vec3, d: Vec3, range| self.add_span(o, d, 1.0, range, wanted, out);
+        if length == 0.0 {
+            return add_span(o, d, range);
         }
-        let end = Vec3::new(o.x, o.y, o.z - self.length);
+        let end = Vec3::new(o.x, o.y, o.z - length);
         if d.z == 0.0 {
-            let o = Vec3::new(o.x, o.y, o.z - o.z.clamp(0.0, self.length));
-            return self.add_span(o, d, range, out);
+            let o = Vec3::new(o.x, o.y, o.z - o.z.clamp(0.0, length));
+            return add_span(o, d, range);
         }
         // Before the rod's nearer end, beside the rod, after its farther end.
-        let (base, cap) = (-o.z / d.z, (self.length - o.z) / d.z);
+        let (base, cap) = (-o.z / d.z, (length - o.z) / d.z);
         let (near, far, first, last) = if d.z > 0.0 { (base, cap, o, end) } else { (cap, base, end, o) };
         let flat = |v: Vec3| Vec3::new(v.x, v.y, 0.0);
-        self.add_span(first, d, (range.0, range.1.min(near)), out);
-        self.add_span(flat(o), flat(d), (range.0.max(near), range.1.min(far)), out);
-        self.add_span(last, d, (range.0.max(far), range.1), out);
+        add_span(first, d, (range.0, range.1.min(near)));
+        add_span(flat(o), flat(d), (range.0.max(near), range.1.min(far)));
+        add_span(last, d, (range.0.max(far), range.1));
     }
 
-    /// The span in which `o + t d` is nearer than 1 to the origin, cut to `range`.
-    fn add_span(&self, o: Vec3, d: Vec3, range: (f64, f64), out: &mut Spans) {
-        let bend = d.length_squared();
-        let middle = if bend > 0.0 { -o.dot(d) / bend } else { 0.0 };
-        let peak = 1.0 - (o + d * middle).length_squared();
+    /// The span in which `1 - scale |o + t d|^2` is positive, cut to `range`.
+    #[inline]
+    fn add_span(&self, o: Vec3, d: Vec3, scale: f64, range: (f64, f64), wanted: (f64, f64), out: &mut Spans) {
+        let length2 = d.length_squared();
+        let middle = if length2 > 0.0 { -o.dot(d) / length2 } else { 0.0 };
+        let (bend, peak) = (scale * length2, 1.0 - scale * (o + d * middle).length_squared());
         if peak.is_nan() || peak <= 0.0 {
             return;
         }
         let reach = (peak / bend).sqrt();
         let (from, to) = (range.0.max(middle - reach), range.1.min(middle + reach));
-        if from < to {
+        if from < to && to > wanted.0 && from < wanted.1 {
             out.push(Span { from, to, strength: self.strength, peak, bend, middle });
         }
     }
@@ -148,11 +187,11 @@ impl Blob {
     fn search(&self, ray: &Ray, to: &mut impl Collect) {
         let mut spans = Spans::new();
         let range = to.range();
+        let whole = (f64::NEG_INFINITY, f64::INFINITY);
         self.parts.visit_ray(ray, range, |i| {
-            self.elements[i].add_spans(ray, (f64::NEG_INFINITY, f64::INFINITY), &mut spans);
+            self.elements[i].add_spans(ray, whole, range, &mut spans);
             range.1
         });
-        spans.retain(|s| s.to > range.0 && s.from < range.1);
         spans.sort_unstable_by(|a, b| a.from.total_cmp(&b.from));
         self.sweep(&spans, to);
     }
@@ -234,7 +273,7 @@ impl Surface for Blob {
             let e = &self.elements[i];
             let (q, u) = e.field(p);
             if u > 0.0 {
-                out += transform::normal_by_inverse(&e.unit_from_blob, q) * (e.strength * u);
+                out += q * (e.strength * u);
             }
         });
         out.try_normalize().unwrap_or(Vec3::X)

@@ -1,7 +1,7 @@
 //! The box.
 use raggio_math::{Aabb, Ray, Vec2, Vec3};
 
-use super::{Few, apart, beyond, clearly_beyond};
+use super::{Few, Stretch, apart, beyond, clearly_beyond};
 use crate::{LocalHit, Surface};
 
 /// The least distance a box reports.
@@ -73,6 +73,11 @@ impl Cuboid {
         Cuboid { min, max }
     }
 
+    /// The box.
+    pub(crate) fn extent(&self) -> Aabb {
+        Aabb { min: self.min, max: self.max }
+    }
+
     /// The same box stretched along the axes, then moved.
     pub(crate) fn moved(&self, scale: Vec3, offset: Vec3) -> Self {
         Cuboid { min: self.min * scale + offset, max: self.max * scale + offset }
@@ -105,6 +110,12 @@ impl Cuboid {
         let entry = most(most(near[0], near[1]), near[2]);
         let exit = least(least(far[0], far[1]), far[2]);
         (entry <= exit).then_some(Way { near, far, entry, exit })
+    }
+
+    /// Where the ray is inside.
+    #[inline]
+    pub(crate) fn stretch(&self, ray: &Ray) -> Stretch {
+        Stretch::between(self.way(ray).map(|way| (way.entry, way.exit)))
     }
 
     /// Entry and exit, as far as they are in the range.

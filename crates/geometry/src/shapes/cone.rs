@@ -1,7 +1,7 @@
 //! The cone, and the cylinder as the cone of equal radii.
 use raggio_math::{Aabb, Affine, EPS, Ray, Vec3};
 
-use super::{Few, beyond, clearly_beyond, start_along};
+use super::{Few, Stretch, beyond, clearly_beyond, start_along};
 use crate::{LocalHit, Surface};
 
 /// The least distance a cone reports.
@@ -73,16 +73,44 @@ impl Cone {
         (h, v - self.axis * h)
     }
 
+    /// Is it closed, and no double cone?
+    pub(crate) fn is_convex(&self) -> bool {
+        !self.open && self.base_radius >= 0.0 && self.cap_radius >= 0.0 && self.length > 0.0
+    }
+
+    /// Where the ray is inside a convex one; `None` where rounding has added or lost an end.
+    #[inline]
+    pub(crate) fn stretch(&self, ray: &Ray) -> Option<Stretch> {
+        let (mut ends, mut count) = ([0.0; 2], 0);
+        self.crossings(ray, |t, _| {
+            if count < 2 {
+                ends[count] = t;
+            }
+            count += 1;
+        });
+        match count {
+            0 => Some(Stretch::NOWHERE),
+            2 => Some(Stretch::between(Some((ends[0].min(ends[1]), ends[0].max(ends[1]))))),
+            _ => None,
+        }
+    }
+
     /// All hits within the range; at most a double cone's four.
     #[inline]
     pub(crate) fn few(&self, ray: &Ray, range: (f64, f64), out: &mut Few) {
         let range = beyond(range, LEAST);
+        self.crossings(ray, |t, part| out.push(t, part, range));
+    }
+
+    /// Calls `found` with all hits of the line and their parts.
+    #[inline]
+    fn crossings(&self, ray: &Ray, mut found: impl FnMut(f64, u32)) {
         if self.widest() == 0.0 {
             return;
         }
         // Work from the point of the ray nearest to the middle: far origins lose no digits.
         let shift = (self.base + self.axis * (0.5 * self.length) - ray.origin).dot(ray.dir);
-        let mut push = |t: f64, part: u32| out.push(t + shift, part, range);
+        let mut push = |t: f64, part: u32| found(t + shift, part);
         let (oh, offset) = self.split(ray.at(shift) - self.base);
         let (dh, across) = self.split(ray.dir);
         self.side(oh, offset, dh, across, &mut push);
@@ -152,9 +180,10 @@ impl Surface for Cone {
         few.pop_nearest()
     }
 
-    /// A hair more than the closed solid, a hair less than the open one.
+    /// A hair less than the solid if it has caps, a hair more if it is open: the rim of an open cone belongs to it, so what
+    /// it cuts has no skin left where its end lies in the other's surface.
     fn inside(&self, p: Vec3) -> bool {
-        let tolerance = if self.open { -EPS } else { EPS };
+        let tolerance = if self.open { EPS } else { -EPS };
         let (h, offset) = self.split(p - self.base);
         let along = h / self.length;
         if !(along >= -tolerance && along <= 1.0 + tolerance) {

@@ -6,8 +6,8 @@ use raggio_scene::{Curve2, CurveKind};
 
 use super::collect::{Collect, searched_from};
 use super::outline::{Outline, point, slope};
-use super::plane_tree::{Line, Node, PlaneTree};
-use super::revolve::{barrel_bounds, clip_to_barrel, radius_squared};
+use super::plane_tree::{Line, PlaneTree};
+use super::revolve::{Sweep, barrel_bounds, clip_to_barrel, radius_squared};
 use super::turn;
 use crate::{LocalHit, Surface};
 
@@ -87,61 +87,15 @@ impl Span {
         let r = [curve.d.x * dy, curve.c.x * dy, curve.b.x * dy, curve.a.x * dy];
         let power = [a, b, c];
         match curve.kind {
-            CurveKind::Linear => meet_roots::<2, 3>(&y, &r, power, first, last, each),
+            CurveKind::Linear => {
+                let middle =
+                    c + 0.5 * b * (y[0] + y[0] + y[1]) + a * y[0] * (y[0] + y[1]) - r[0] * (r[0] + r[1]);
+                poly::bernstein_quadratic([first, middle, last]).iter().copied().for_each(each);
+            }
             CurveKind::Quadratic => meet_roots::<3, 5>(&y, &r, power, first, last, each),
             CurveKind::Cubic => meet_roots::<4, 7>(&y, &r, power, first, last, each),
         }
     }
-}
-
-/// What is asked of a ray at every box of radius and height.
-struct Sweep {
-    oy: f64,
-    /// One over its rise.
-    per_y: f64,
-    /// The ray's [`radius_squared`].
-    radius2: [f64; 3],
-    /// Where it is nearest to the axis.
-    nearest: f64,
-}
-
-impl Sweep {
-    fn new(ray: &Ray) -> Self {
-        let radius2 = radius_squared(ray);
-        // A ray along the axis keeps its radius.
-        let nearest = if radius2[2] > 0.0 { -0.5 * radius2[1] / radius2[2] } else { 0.0 };
-        Sweep { oy: ray.origin.y, per_y: 1.0 / ray.dir.y, radius2, nearest }
-    }
-
-    /// Does the ray pass by all that is turned from a box, for distances within `range`?
-    #[inline(always)]
-    fn passes(&self, node: &Node, range: (f64, f64)) -> bool {
-        let (t0, t1) = ((node.min.y - self.oy) * self.per_y, (node.max.y - self.oy) * self.per_y);
-        let (lo, hi) = (greater(least(t0, t1), range.0), least(greater(t0, t1), range.1));
-        if lo > hi {
-            return true;
-        }
-        let [c, b, a] = self.radius2;
-        let radius2 = |t: f64| (a * t + b) * t + c;
-        let inner = greater(greater(node.min.x, -node.max.x), 0.0);
-        if greater(radius2(lo), radius2(hi)) < inner * inner {
-            return true;
-        }
-        let outer = greater(node.max.x, -node.min.x);
-        radius2(least(greater(self.nearest, lo), hi)) > outer * outer
-    }
-}
-
-/// The smaller of two numbers; quicker than the library's, which looks for what is no number.
-#[inline(always)]
-fn least(a: f64, b: f64) -> f64 {
-    if a < b { a } else { b }
-}
-
-/// The greater of two numbers.
-#[inline(always)]
-fn greater(a: f64, b: f64) -> f64 {
-    if a > b { a } else { b }
 }
 
 /// The roots in 0..=1 of `a y^2 + b y + c - r^2`, for polynomials y and r of N coefficients.

@@ -236,6 +236,29 @@ pub(crate) fn inverse(shape: &Shape) -> Option<ShapeKind> {
     }
 }
 
+/// Where a ray is inside a simple body: between two distances, or before the one and beyond the other.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Stretch {
+    pub(crate) enter: f64,
+    pub(crate) leave: f64,
+    /// Is the inside what lies beyond both ends?
+    pub(crate) beyond: bool,
+}
+
+impl Stretch {
+    /// Inside nowhere.
+    pub(crate) const NOWHERE: Self =
+        Stretch { enter: f64::INFINITY, leave: f64::NEG_INFINITY, beyond: false };
+    /// Inside everywhere.
+    pub(crate) const EVERYWHERE: Self = Stretch { beyond: true, ..Stretch::NOWHERE };
+
+    /// Inside between two distances.
+    #[inline]
+    pub(crate) fn between(ends: Option<(f64, f64)>) -> Self {
+        ends.map_or(Stretch::NOWHERE, |(enter, leave)| Stretch { enter, leave, beyond: false })
+    }
+}
+
 /// The most hits of a shape that finds them all together: the four of a double cone.
 pub(crate) const FEW: usize = 4;
 
@@ -298,6 +321,28 @@ impl ShapeKind {
             _ => return false,
         }
         true
+    }
+
+    /// Where the ray is inside, for shapes that [`ShapeKind::has_stretch`]; `None` where rounding leaves it open.
+    #[inline]
+    pub(crate) fn stretch(&self, ray: &Ray) -> Option<Stretch> {
+        match self {
+            ShapeKind::Box(s) => Some(s.stretch(ray)),
+            ShapeKind::Cone(s) => s.stretch(ray),
+            ShapeKind::Quadric(s) => Some(s.stretch(ray)),
+            ShapeKind::Plane(s) => Some(s.stretch(ray)),
+            ShapeKind::Sphere(s) => Some(Stretch::between(s.chord(ray))),
+            _ => None,
+        }
+    }
+
+    /// Is a ray always inside on one stretch, or beyond one, with hits at its ends?
+    pub(crate) fn has_stretch(&self) -> bool {
+        match self {
+            ShapeKind::Box(_) | ShapeKind::Quadric(_) | ShapeKind::Plane(_) | ShapeKind::Sphere(_) => true,
+            ShapeKind::Cone(cone) => cone.is_convex(),
+            _ => false,
+        }
     }
 
     /// Does [`ShapeKind::few`] know the shape?

@@ -1,7 +1,7 @@
 //! The plane.
 use raggio_math::{Aabb, EPS, Ray, Vec3};
 
-use super::{beyond, clearly_beyond, start_along};
+use super::{Stretch, beyond, clearly_beyond, start_along};
 use crate::{LocalHit, Surface};
 
 /// The least distance a plane reports.
@@ -28,6 +28,17 @@ impl Plane {
     #[inline(always)]
     pub(crate) fn approach(&self, ray: &Ray) -> (f64, f64) {
         (self.normal.dot(ray.dir), self.distance - self.normal.dot(ray.origin))
+    }
+
+    /// Where the ray is inside.
+    #[inline]
+    pub(crate) fn stretch(&self, ray: &Ray) -> Stretch {
+        let (slope, depth) = self.approach(ray);
+        if slope.abs() < EPS {
+            return if depth > 0.0 { Stretch::EVERYWHERE } else { Stretch::NOWHERE };
+        }
+        let (t, far) = (depth / slope, f64::INFINITY);
+        Stretch::between(Some(if slope > 0.0 { (-far, t) } else { (t, far) }))
     }
 
     /// Are all points on one side?

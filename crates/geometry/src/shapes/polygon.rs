@@ -2,6 +2,7 @@
 use raggio_math::{Aabb, EPS, Ray, Vec2, Vec3};
 
 use super::beyond;
+use super::plane_tree::PlaneTree;
 use crate::{LocalHit, Surface};
 
 /// The least distance a polygon reports.
@@ -18,6 +19,7 @@ pub(crate) struct Polygon {
     normal: Vec3,
     /// Edges of all loops in the plane's coordinates.
     edges: Vec<(Vec2, Vec2)>,
+    tree: PlaneTree,
     bounds: Aabb,
 }
 
@@ -31,6 +33,7 @@ impl Polygon {
             y: Vec3::Y,
             normal: Vec3::Z,
             edges: Vec::new(),
+            tree: PlaneTree::new(&[]),
             bounds: Aabb::EMPTY,
         };
         let Some((origin, x, normal)) = frame(&points) else {
@@ -41,21 +44,27 @@ impl Polygon {
         }
         let y = normal.cross(x);
         let flat = |p: &Vec3| Vec2::new((*p - origin).dot(x), (*p - origin).dot(y));
-        let edges = loops
+        let edges: Vec<_> = loops
             .iter()
             .flat_map(|l| l.iter().zip(l.iter().cycle().skip(1)).map(|(a, b)| (flat(a), flat(b))))
             .filter(|(a, b)| a != b)
             .collect();
-        Polygon { origin, x, y, normal, edges, bounds: Aabb::around(points) }
+        let boxes: Vec<_> = edges.iter().map(|&(a, b): &(Vec2, Vec2)| (a.min(b), a.max(b))).collect();
+        let tree = PlaneTree::new(&boxes);
+        Polygon { origin, x, y, normal, edges, tree, bounds: Aabb::around(points) }
     }
 
     fn contains(&self, p: Vec2) -> bool {
         let mut odd = false;
-        for (a, b) in &self.edges {
-            if (a.y >= p.y) != (b.y >= p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x) {
-                odd = !odd;
-            }
-        }
+        self.tree.visit(
+            |node| node.max.x < p.x || node.min.y > p.y || node.max.y < p.y,
+            |i, _| {
+                let (a, b) = self.edges[i];
+                if (a.y >= p.y) != (b.y >= p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x) {
+                    odd = !odd;
+                }
+            },
+        );
         odd
     }
 }

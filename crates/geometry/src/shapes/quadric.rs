@@ -1,7 +1,7 @@
 //! The quadric: the general surface of second degree.
 use raggio_math::{Aabb, Ray, Vec3};
 
-use super::{Few, beyond};
+use super::{Few, Stretch, beyond};
 use crate::{LocalHit, Surface};
 
 /// The least distance a quadric reports.
@@ -83,6 +83,21 @@ impl Quadric {
         let q = -(b + discriminant.sqrt().copysign(b));
         let (s, t) = (q / a, if q == 0.0 { 0.0 } else { c / q });
         Some((s.min(t), s.max(t)))
+    }
+
+    /// Where the ray is inside.
+    #[inline]
+    pub(crate) fn stretch(&self, ray: &Ray) -> Stretch {
+        let a = self.slope(ray.dir).dot(ray.dir);
+        let Some((s, t)) = self.roots(ray).filter(|(s, t)| !(s.is_nan() || t.is_nan())) else {
+            return if self.value(ray.origin) <= 0.0 { Stretch::EVERYWHERE } else { Stretch::NOWHERE };
+        };
+        if a == 0.0 {
+            let leaves = (self.slope(ray.origin) + self.linear).dot(ray.dir) > 0.0;
+            let far = f64::INFINITY;
+            return Stretch::between(Some(if leaves { (-far, t) } else { (t, far) }));
+        }
+        Stretch { enter: s, leave: t, beyond: a < 0.0 }
     }
 
     /// Both hits, as far as they are in the range.

@@ -1,6 +1,8 @@
 //! What the shapes around the y axis have in common.
 use raggio_math::{Aabb, Ray, Vec3, poly};
 
+use super::plane_tree::Node;
+
 /// The part of `range` in which the ray is in the cylinder `y_range` by `radius` about the y axis.
 pub(crate) fn clip_to_barrel(
     ray: &Ray,
@@ -40,4 +42,56 @@ pub(crate) fn radius_squared(ray: &Ray) -> [f64; 3] {
 /// The box around a barrel.
 pub(crate) fn barrel_bounds(y_range: (f64, f64), radius: f64) -> Aabb {
     Aabb::new(Vec3::new(-radius, y_range.0, -radius), Vec3::new(radius, y_range.1, radius))
+}
+
+/// What is asked of a ray at every box of radius and height.
+pub(crate) struct Sweep {
+    oy: f64,
+    /// One over its rise.
+    pub(crate) per_y: f64,
+    /// The ray's [`radius_squared`].
+    pub(crate) radius2: [f64; 3],
+    /// Where it is nearest to the axis.
+    nearest: f64,
+}
+
+impl Sweep {
+    pub(crate) fn new(ray: &Ray) -> Self {
+        let radius2 = radius_squared(ray);
+        // A ray along the axis keeps its radius.
+        let nearest = if radius2[2] > 0.0 { -0.5 * radius2[1] / radius2[2] } else { 0.0 };
+        // Finite, so that no product with zero is undefined.
+        let per_y = (1.0 / ray.dir.y).clamp(-1e300, 1e300);
+        Sweep { oy: ray.origin.y, per_y, radius2, nearest }
+    }
+
+    /// Does the ray pass by all that is turned from a box, for distances within `range`?
+    #[inline(always)]
+    pub(crate) fn passes(&self, node: &Node, range: (f64, f64)) -> bool {
+        let (t0, t1) = ((node.min.y - self.oy) * self.per_y, (node.max.y - self.oy) * self.per_y);
+        let (lo, hi) = (greater(least(t0, t1), range.0), least(greater(t0, t1), range.1));
+        if lo > hi {
+            return true;
+        }
+        let [c, b, a] = self.radius2;
+        let radius2 = |t: f64| (a * t + b) * t + c;
+        let inner = greater(greater(node.min.x, -node.max.x), 0.0);
+        if greater(radius2(lo), radius2(hi)) < inner * inner {
+            return true;
+        }
+        let outer = greater(node.max.x, -node.min.x);
+        radius2(least(greater(self.nearest, lo), hi)) > outer * outer
+    }
+}
+
+/// The smaller of two numbers; quicker than the library's, which looks for what is no number.
+#[inline(always)]
+fn least(a: f64, b: f64) -> f64 {
+    if a < b { a } else { b }
+}
+
+/// The greater of two numbers.
+#[inline(always)]
+fn greater(a: f64, b: f64) -> f64 {
+    if a > b { a } else { b }
 }

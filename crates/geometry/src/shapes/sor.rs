@@ -1,9 +1,12 @@
 //! The surface of revolution: the square of the radius is a cubic of the height, piece by piece (shapes spec,
 //! section 5).
+use std::cell::Cell;
+
 use raggio_math::{Aabb, EPS, Ray, Vec2, Vec3, poly};
 
 use super::collect::{Collect, searched_from};
-use super::revolve::{barrel_bounds, clip_to_barrel, radius_squared};
+use super::plane_tree::PlaneTree;
+use super::revolve::{Sweep, barrel_bounds, clip_to_barrel, radius_squared};
 use super::turn;
 use crate::{LocalHit, Surface};
 
@@ -18,6 +21,9 @@ const TOP: u32 = u32::MAX;
 #[derive(Clone, Debug)]
 pub(crate) struct Sor {
     segments: Vec<Segment>,
+    tree: PlaneTree,
+    /// The greatest radius.
+    reach: f64,
     open: bool,
 }
 
@@ -83,13 +89,38 @@ impl Segment {
 impl Sor {
     /// Points are (radius, height); the first and the last only steer.
     pub(crate) fn new(points: &[Vec2], open: bool) -> Self {
-        Sor { segments: points.windows(4).map(Segment::new).collect(), open }
+        let segments: Vec<_> = points.windows(4).map(Segment::new).collect();
+        let bounds = |s: &Segment| (Vec2::new(0.0, s.base), Vec2::new(s.reach, s.top));
+        let tree = PlaneTree::new(&segments.iter().map(bounds).collect::<Vec<_>>());
+        let reach = segments.iter().map(|s| s.reach).fold(0.0, f64::max);
+        Sor { segments, tree, reach, open }
+    }
+
+    /// Heights and radius of the barrel around it.
+    fn barrel(&self) -> ((f64, f64), f64) {
+        let heights = match (self.segments.first(), self.segments.last()) {
+            (Some(first), Some(last)) => (first.base, last.top),
+            _ => (f64::INFINITY, f64::NEG_INFINITY),
+        };
+        (heights, self.reach)
     }
 
     fn search(&self, ray: &Ray, to: &mut impl Collect) {
-        for (i, segment) in self.segments.iter().enumerate() {
-            segment.search(i as u32, ray, to);
-        }
+        let (heights, reach) = self.barrel();
+        let margin = 1e-9 * (1.0 + heights.0.abs().max(heights.1.abs()));
+        let heights = (heights.0 - margin, heights.1 + margin);
+        let Some((lo, hi)) = clip_to_barrel(ray, heights, reach * (1.0 + 1e-9), to.range()) else { return };
+        // From a place nearby digits are not lost to the distance.
+        let middle = 0.5 * (lo + hi);
+        let sweep = Sweep::new(&Ray::new(ray.at(middle), ray.dir));
+        let last = Cell::new(hi - middle);
+        self.tree.visit(
+            |node| sweep.passes(node, (lo - middle, last.get())),
+            |i, _| {
+                self.segments[i].search(i as u32, ray, to);
+                last.set(last.get().min(to.range().1 - middle));
+            },
+        );
         if !self.open && ray.dir.y.abs() > EPS {
             for (part, height, radius2) in self.caps() {
                 let t = (height - ray.origin.y) / ray.dir.y;
@@ -117,13 +148,11 @@ impl Surface for Sor {
     searched_from!(LEAST);
 
     fn bounds(&self) -> Aabb {
-        match (self.segments.first(), self.segments.last()) {
-            (Some(first), Some(last)) => {
-                let reach = self.segments.iter().map(|s| s.reach).fold(0.0, f64::max);
-                barrel_bounds((first.base, last.top), reach)
-            }
-            _ => Aabb::EMPTY,
+        if self.segments.is_empty() {
+            return Aabb::EMPTY;
         }
+        let (heights, reach) = self.barrel();
+        barrel_bounds(heights, reach)
     }
 
     fn inside(&self, p: Vec3) -> bool {

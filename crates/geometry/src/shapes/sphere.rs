@@ -19,6 +19,11 @@ impl Sphere {
         Sphere { center, radius }
     }
 
+    /// The centre and the radius.
+    pub(crate) fn place(&self) -> (Vec3, f64) {
+        (self.center, self.radius)
+    }
+
     /// -1 for a negative radius.
     pub(crate) fn sign(&self) -> f64 {
         self.radius.signum()

@@ -101,7 +101,7 @@ impl Segment {
                 disc[i + j] += self.radius[i] * self.radius[j] - off[i].dot(off[j]);
             }
         }
-        let cuts = poly::roots_in(&disc, 0.0, 1.0);
+        let cuts = roots_between(&disc, 0.0, 1.0);
         let extremum = extremum_condition::<N, D, G>(&b, &disc);
         let end = |s: f64, side: f64| {
             let half = poly::eval(&disc, s).max(0.0).sqrt();
@@ -111,7 +111,7 @@ impl Segment {
         for &to in cuts.iter().chain(&[1.0]) {
             if poly::eval(&disc, 0.5 * (from + to)) >= 0.0 {
                 let (mut near, mut far) = (end(from, -1.0), end(from, 1.0));
-                for &s in poly::roots_in(&extremum, from, to).iter().chain(&[to]) {
+                for &s in roots_between(&extremum, from, to).iter().chain(&[to]) {
                     let (n, f) = (end(s, -1.0), end(s, 1.0));
                     if n.t < near.t {
                         near = n;
@@ -137,6 +137,19 @@ impl Segment {
         }
         c
     }
+}
+
+/// The roots in `lo..=hi`, sorted; those of quadratics in closed form.
+#[inline]
+fn roots_between<const N: usize>(c: &[f64; N], lo: f64, hi: f64) -> SmallVec<[f64; 10]> {
+    if N == 3 {
+        return poly::quadratic([c[0], c[1], c[2]])
+            .iter()
+            .copied()
+            .filter(|s| (lo..=hi).contains(s))
+            .collect();
+    }
+    SmallVec::from_slice(&poly::roots_in(c, lo, hi))
 }
 
 /// `D'^2 - 4 b'^2 D`

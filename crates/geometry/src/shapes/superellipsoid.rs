@@ -7,7 +7,7 @@
 use raggio_math::{Aabb, EPS, Ray, Vec3};
 use smallvec::SmallVec;
 
-use super::collect::{Collect, searched_from};
+use super::collect::{Collect, Offset, searched_from};
 use crate::{LocalHit, Surface};
 
 const LEAST: f64 = 1e-4;
@@ -93,11 +93,14 @@ impl Superellipsoid {
         (t, f - 1.0, slope)
     }
 
+    /// Distances count from where the ray comes to the cube: far origins lose no digits, of which flattened ones have few.
     fn search(&self, ray: &Ray, to: &mut impl Collect) {
         let cube = Aabb::new(Vec3::splat(-REACH), Vec3::splat(REACH));
         let Some((near, far)) = cube.hit(ray) else { return };
+        let to = &mut Offset { start: near, to };
+        let ray = &Ray { origin: ray.at(near), ..*ray };
         let range = to.range();
-        let (lo, hi) = (near.max(range.0), far.min(range.1));
+        let (lo, hi) = (range.0.max(0.0), range.1.min(far - near));
         if lo.is_nan() || hi.is_nan() || lo >= hi {
             return;
         }
@@ -168,8 +171,11 @@ impl Superellipsoid {
         // The ends were sampled with the slopes of their own sides; a hair inside is this piece's side.
         let hair = 1e-9 * (right.0 - left.0);
         let (mut a, mut b) = (self.sample(ray, left.0 + hair), self.sample(ray, right.0 - hair));
-        if !comes_nearer(a.2) || comes_nearer(b.2) {
-            return None;
+        match (comes_nearer(a.2), comes_nearer(b.2)) {
+            (true, false) => {}
+            (true, true) => b = self.bent_back(ray, b, a, |slope| !comes_nearer(slope))?,
+            (false, false) => a = self.bent_back(ray, a, b, comes_nearer)?,
+            (false, true) => return None,
         }
         for _ in 0..60 {
             // The tangents at both ends bound a curve that bends one way: no root where they do not reach zero.
@@ -190,6 +196,22 @@ impl Superellipsoid {
             if comes_nearer(c.2) { a = c } else { b = c }
         }
         None
+    }
+
+    /// Where exponents are sharp the curve may bend once more just beside a crease: the first of ever longer steps from
+    /// there after which the slope is as wished.
+    fn bent_back(
+        &self,
+        ray: &Ray,
+        crease: Sample,
+        other: Sample,
+        wished: impl Fn(f64) -> bool,
+    ) -> Option<Sample> {
+        if self.bends_one_way() {
+            return None;
+        }
+        let mut steps = (1..=6).rev().map(|k| crease.0 + (other.0 - crease.0) * 0.25f64.powi(k));
+        steps.find_map(|t| Some(self.sample(ray, t)).filter(|sample| wished(sample.2)))
     }
 
     /// With both exponents at least 1 in the norm, `f` is convex everywhere.

@@ -3,9 +3,9 @@
 //! What stands here runs everywhere and says what noise is; `avx2` does the same where it can.
 #[cfg(target_arch = "x86_64")]
 use super::avx2;
-use super::s_curve;
 use super::tables::HASH;
 use super::values::VALUES;
+use super::{clamp01, s_curve};
 use crate::{EPS, Vec3};
 use wide::f64x4;
 
@@ -115,17 +115,62 @@ pub(super) fn scalar(p: Vec3) -> f64 {
     Cell::at(p).scalar()
 }
 
-/// Raw scalar noise at `p` times `scale`, times `lambda` more for each that follows.
+/// Points or octaves that are worked out together.
+pub(super) const LANES: usize = 4;
+
+/// From raw noise to the numbers of a generator: `add` first.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Range {
+    pub add: f64,
+    pub times: f64,
+}
+
+impl Range {
+    /// A NaN becomes 0.
+    #[inline]
+    pub fn apply(self, raw: f64) -> f64 {
+        clamp01((raw + self.add) * self.times)
+    }
+}
+
+/// Noise at `p` times `scale`, times `lambda` more for each octave that follows, `count` in all.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Octaves {
+    pub p: Vec3,
+    pub scale: f64,
+    pub lambda: f64,
+    pub count: usize,
+}
+
+impl Octaves {
+    /// The points of all octaves.
+    pub fn points(self) -> impl Iterator<Item = Vec3> {
+        std::iter::successors(Some(self.scale), move |scale| Some(scale * self.lambda))
+            .take(self.count)
+            .map(move |scale| self.p * scale)
+    }
+}
+
+/// Scalar noise of a generator, octave by octave. Places of `out` beyond the last one may hold anything.
 #[inline]
-pub(super) fn scalars(p: Vec3, mut scale: f64, lambda: f64, out: &mut [f64]) {
+pub(super) fn scalars(octaves: &Octaves, range: Range, out: &mut [[f64; LANES]]) {
     #[cfg(target_arch = "x86_64")]
-    if avx2::scalars(p, scale, lambda, out).is_some() {
+    if avx2::scalars(octaves, range, out).is_some() {
         return;
     }
-    for out in out {
-        *out = Cell::at(p * scale).scalar();
-        scale *= lambda;
+    for (p, out) in octaves.points().zip(out.as_flattened_mut()) {
+        *out = range.apply(Cell::at(p).scalar());
     }
+}
+
+/// Scalar noise of a generator at four points.
+#[inline]
+pub(super) fn four(p: &[Vec3; LANES], range: Range) -> [f64; LANES] {
+    #[cfg(target_arch = "x86_64")]
+    if let Some(noises) = avx2::four(p, range) {
+        return noises;
+    }
+    p.map(|p| range.apply(Cell::at(p).scalar()))
 }
 
 /// Vector noise at a point: three channels of lattice noise, each about -1 to 1, the same for every generator.
@@ -138,16 +183,18 @@ pub fn dnoise(p: Vec3) -> Vec3 {
     Cell::at(p).vector()
 }
 
-/// Vector noise at `p` times `scale`, times `lambda` more for each that follows.
+/// Vector noise, octave by octave, channel by channel. Places of `out` beyond the last one may hold anything.
 #[inline]
-pub(super) fn vectors(p: Vec3, mut scale: f64, lambda: f64, out: &mut [Vec3]) {
+pub(super) fn vectors(octaves: &Octaves, out: &mut [[[f64; LANES]; 3]]) {
     #[cfg(target_arch = "x86_64")]
-    if avx2::vectors(p, scale, lambda, out).is_some() {
+    if avx2::vectors(octaves, out).is_some() {
         return;
     }
-    for out in out {
-        *out = Cell::at(p * scale).vector();
-        scale *= lambda;
+    for (i, p) in octaves.points().enumerate() {
+        let noise = Cell::at(p).vector();
+        for (channel, value) in out[i / LANES].iter_mut().zip(noise.to_array()) {
+            channel[i % LANES] = value;
+        }
     }
 }
 
@@ -169,12 +216,25 @@ mod tests {
             let Some(wide) = avx2::scalar(p) else { return };
             assert_eq!(scalar, wide, "{p}");
             assert_eq!(Some(vector), avx2::vector(p), "{p}");
-            let scales = [1.5, 1.5 * 2.1, 1.5 * 2.1 * 2.1];
-            let (mut scalars, mut vectors) = ([0.0; 3], [Vec3::ZERO; 3]);
-            avx2::scalars(p, 1.5, 2.1, &mut scalars);
-            avx2::vectors(p, 1.5, 2.1, &mut vectors);
-            assert_eq!(scalars, scales.map(|scale| Cell::at(p * scale).scalar()), "{p}");
-            assert_eq!(vectors, scales.map(|scale| Cell::at(p * scale).vector()), "{p}");
+            for count in 1..=7 {
+                octaves_give_the_same_bits(&Octaves { p, scale: 1.5, lambda: 2.1, count });
+            }
+            let range = Range { add: 0.5, times: 1.25 };
+            let points = [p, p + 0.3, p - Vec3::Y, 2.0 * p];
+            let each = points.map(|p| range.apply(Cell::at(p).scalar()));
+            assert_eq!(Some(each), avx2::four(&points, range), "{p}");
+        }
+    }
+
+    fn octaves_give_the_same_bits(octaves: &Octaves) {
+        let range = Range { add: 0.5, times: 1.25 };
+        let (mut scalars, mut vectors) = ([[0.0; LANES]; 2], [[[0.0; LANES]; 3]; 2]);
+        avx2::scalars(octaves, range, &mut scalars);
+        avx2::vectors(octaves, &mut vectors);
+        for (i, p) in octaves.points().enumerate() {
+            let (vector, [x, y, z]) = (Cell::at(p).vector(), vectors[i / LANES]);
+            assert_eq!(scalars.as_flattened()[i], range.apply(Cell::at(p).scalar()), "{octaves:?} {i}");
+            assert_eq!(vector.to_array(), [x, y, z].map(|v| v[i % LANES]), "{octaves:?} {i}");
         }
     }
 }

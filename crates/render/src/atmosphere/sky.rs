@@ -22,7 +22,7 @@ impl Dome {
         let layers = sphere.iter().flat_map(|s| s.pigments.iter().rev());
         Dome {
             layers: layers
-                .map(|p| (Pigment::compile(&p.item, noise), p.parent_from_item.inverse()))
+                .map(|p| (Pigment::compile(&p.item, noise), p.parent_from_item().inverse()))
                 .collect(),
             emission: sphere.map_or(Rgb::ONE, |s| s.emission),
             background: scene.atmosphere.background.map(|b| b.color),

@@ -79,7 +79,7 @@ impl MeshRays {
             }
         };
         let face = mesh.item.faces.get(face)?;
-        Some(self.leaving(&mesh.item, &face, at, &mesh.parent_from_item))
+        Some(self.leaving(&mesh.item, &face, at, &mesh.parent_from_item()))
     }
 
     fn concatenated(&self, mut index: usize) -> Option<Start<'_>> {

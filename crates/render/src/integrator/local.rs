@@ -104,48 +104,51 @@ impl Tracer<'_> {
         }
         let each = shadowed / (grid.size1 * grid.size2) as f32;
         let axes = grid.axes(centre.dir);
+        let random = self.streams.lights;
+        grid.pass_over(&mut self.streams.lights);
         let mut sum = Rgb::ZERO;
-        for v in 0..grid.size2 {
-            for u in 0..grid.size1 {
-                let from = source.position + grid.offset(axes, u, v, &mut self.streams.lights);
-                let path = source.path_to(p, from);
-                let Some(back) = facing(point, lit, path.dir) else { continue };
-                let light = each * source.attenuation(p, &path, from) as f32;
-                let answer = self.answer(lit, light, path.dir, back, !source.shadowless);
-                sum += self.iridescent(point, lit, &path, answer);
-            }
+        for cell in 0..grid.size1 * grid.size2 {
+            let from = source.position + grid.offset(axes, cell, &random);
+            let path = source.path_to(p, from);
+            let Some(back) = facing(point, lit, path.dir) else { continue };
+            let light = each * source.attenuation(p, &path, from) as f32;
+            let answer = self.answer(lit, light, path.dir, back, !source.shadowless);
+            sum += self.iridescent(point, lit, &path, answer);
         }
         sum
     }
 
-    /// Light of photons that come from one direction.
+    /// What a layer sends back of light from some directions.
     pub(crate) fn lit_from(
         &mut self,
         point: &SurfacePoint<'_>,
         finish: &Finish,
         n: Vec3,
         (rgb, opacity): (Rgb, f32),
-        dir: Vec3,
-        light: Rgb,
+        lights: impl Iterator<Item = (Vec3, Rgb)>,
     ) -> Rgb {
         let highlights = point.beam.class != RayClass::Radiosity;
         let lit = Lit { finish, n, rgb, opacity, view: point.beam.ray.dir, highlights };
-        match facing(point, &lit, dir) {
-            Some(back) => self.answer(&lit, light, dir, back, true),
-            None => Rgb::ZERO,
+        let mut sum = Rgb::ZERO;
+        for (dir, light) in lights {
+            if let Some(back) = facing(point, &lit, dir) {
+                sum += self.answer(&lit, light, dir, back, true);
+            }
         }
+        sum
     }
 
     /// Diffuse light and, from `shiny` lights, highlights for light from a direction.
+    #[inline]
     fn answer(&mut self, lit: &Lit<'_>, light: Rgb, dir: Vec3, back: bool, shiny: bool) -> Rgb {
         let finish = lit.finish;
         let cosine = lit.n.dot(dir);
         let mut sum = Rgb::ZERO;
         let diffuse = if back { finish.diffuse_back } else { finish.diffuse };
         if diffuse > 0.0 {
-            let bright = f64::from(finish.brilliance);
-            let lobe = if bright == 1.0 { cosine.abs() } else { cosine.abs().powf(bright) };
-            let mut intensity = lobe as f32 * diffuse * lit.opacity;
+            let facing = cosine.abs() as f32;
+            let lobe = if finish.brilliance == 1.0 { facing } else { facing.powf(finish.brilliance) };
+            let mut intensity = lobe * diffuse * lit.opacity;
             if finish.crand > 0.0 {
                 intensity -= self.streams.crand.next() as f32 * finish.crand;
             }
@@ -191,6 +194,7 @@ impl Tracer<'_> {
 }
 
 /// Does light from this side count? `Some(true)` is light from behind.
+#[inline]
 fn facing(point: &SurfacePoint<'_>, lit: &Lit<'_>, dir: Vec3) -> Option<bool> {
     if point.material.double_illuminate || lit.n.dot(dir) >= EPS {
         return Some(false);
@@ -198,7 +202,14 @@ fn facing(point: &SurfacePoint<'_>, lit: &Lit<'_>, dir: Vec3) -> Option<bool> {
     (lit.finish.diffuse_back != 0.0).then_some(true)
 }
 
+/// `x` to the power of `exponent`; 0 below 1e-11, where most of a surface lies and nothing is seen.
+fn lobe(x: f64, exponent: f64) -> f32 {
+    // The logarithm of x is at most x - 1.
+    if exponent * (x - 1.0) < -25.0 { 0.0 } else { (x as f32).powf(exponent as f32) }
+}
+
 /// The strength of `phong` and `specular` highlights together.
+#[inline]
 fn highlight(lit: &Lit<'_>, dir: Vec3) -> f32 {
     let finish = lit.finish;
     let mut strength = 0.0;
@@ -207,14 +218,14 @@ fn highlight(lit: &Lit<'_>, dir: Vec3) -> f32 {
         let x = mirrored.dot(dir);
         // Sharp highlights are cut where their power would be lost in rounding.
         if x > 0.0 && (finish.phong_size < 60.0 || x > 0.0008) {
-            strength += finish.phong * x.powf(f64::from(finish.phong_size)) as f32;
+            strength += finish.phong * lobe(x, f64::from(finish.phong_size));
         }
     }
     if finish.specular > 0.0 {
         let halfway = (dir - lit.view) * 0.5;
         let x = lit.n.dot(halfway) / halfway.length();
         if x > 0.0 {
-            strength += finish.specular * x.powf(1.0 / f64::from(finish.roughness)) as f32;
+            strength += finish.specular * lobe(x, 1.0 / f64::from(finish.roughness));
         }
     }
     strength

@@ -59,7 +59,7 @@ type Visit<'v> = dyn FnMut(&[Layer], Vec3, f32, &NormalPath<'_>) + 'v;
 
 /// A texture at its place: the path of its normals, and the point at which it is asked.
 pub fn placed<'a>(texture: &'a WorldTexture, p: Vec3, uv: Option<Vec2>) -> (NormalPath<'a>, Vec3) {
-    let step = texture.frame.as_ref().map_or(Step::Stay, Step::Placed);
+    let step = texture.frame.as_deref().map_or(Step::Stay, Step::Placed);
     let p = uv.map_or(p, |uv| uv.extend(0.0));
     (NormalPath { outer: None, step }, texture.point(p))
 }

@@ -1,9 +1,11 @@
 //! Area lights: the grid of samples and its recursive average (light spec, section 5.3).
+use raggio_geometry::{Lanes, RAYS, Screen, Verdict};
 use raggio_image::Rgb;
 use raggio_math::Vec3;
 use raggio_scene as scene;
 
 use super::LightSource;
+use super::shadow::SHADOW_TOLERANCE;
 use crate::sampling::Stream;
 
 /// The most samples along an axis, so that their number stays countable.
@@ -85,10 +87,15 @@ impl AreaGrid {
         [-a - b, a - b, a + b, b - a]
     }
 
-    /// Uses up the random numbers of a look at the whole light with nothing in the way.
+    /// How many samples there are.
+    fn samples(&self) -> u32 {
+        self.size1 * self.size2
+    }
+
+    /// Uses up the random numbers of a look at the light. Every sample has its own two of them, looked at or not.
     pub fn pass_over(&self, random: &mut Stream) {
         if self.jitter {
-            random.skip(2 * self.open_samples);
+            random.skip(2 * self.samples());
         }
     }
 
@@ -98,19 +105,22 @@ impl AreaGrid {
         self.axis1 * place(u, self.size1) + self.axis2 * place(v, self.size2)
     }
 
-    /// Where grid point (u, v) lies from the light's centre. Jitter draws u first.
-    pub fn offset(&self, axes: (Vec3, Vec3), u: u32, v: u32, random: &mut Stream) -> Vec3 {
-        if let Some(offset) = self.fixed.get((v * self.size1 + u) as usize) {
+    /// Where a grid point, counted along the first axis first, lies from the light's centre.
+    pub fn offset(&self, axes: (Vec3, Vec3), cell: u32, random: &Stream) -> Vec3 {
+        if let Some(offset) = self.fixed.get(cell as usize) {
             return *offset;
         }
-        let (mut u, mut v) = (f64::from(u), f64::from(v));
+        let (mut u, mut v) = (f64::from(cell % self.size1), f64::from(cell / self.size1));
         if self.jitter {
+            let mut random = *random;
+            random.skip(2 * cell);
             u += random.next() - 0.5;
             v += random.next() - 0.5;
         }
         self.place(axes, u, v)
     }
 
+    #[inline]
     fn place(&self, axes: (Vec3, Vec3), u: f64, v: f64) -> Vec3 {
         let place = |k: f64, n: u32| if n > 1 { k / f64::from(n - 1) - 0.5 } else { 0.0 };
         let (s, t) = (place(u, self.size1), place(v, self.size2));
@@ -123,11 +133,14 @@ impl AreaGrid {
     }
 }
 
-/// Values of grid points that were looked at already for the present surface point.
+/// What was found out already for the present surface point.
 #[derive(Default)]
 pub struct AreaScratch {
     stamp: u32,
+    /// Values of grid points.
     cells: Vec<(u32, Rgb)>,
+    /// What is known at once of as many grid points in a row.
+    rows: Vec<(u32, Verdict)>,
 }
 
 impl AreaScratch {
@@ -136,31 +149,98 @@ impl AreaScratch {
         if self.cells.len() < cells || self.stamp == 0 {
             self.cells.clear();
             self.cells.resize(cells, (0, Rgb::ZERO));
+            self.rows.clear();
+            self.rows.resize(cells.div_ceil(RAYS), (0, Verdict::default()));
             self.stamp = 1;
         }
     }
 }
 
-/// The mean light of an area light: `shadowed` answers for one point of the light.
-pub fn average(
-    light: &LightSource,
-    grid: &AreaGrid,
-    to_light: Vec3,
-    scratch: &mut AreaScratch,
-    random: &mut Stream,
-    mut shadowed: impl FnMut(Vec3) -> Rgb,
-) -> Rgb {
-    scratch.begin((grid.size1 * grid.size2) as usize);
-    let axes = grid.axes(to_light);
-    let mut corner = |u: u32, v: u32| {
-        let cell = (v * grid.size1 + u) as usize;
-        if scratch.cells[cell].0 != scratch.stamp {
-            let point = light.position + grid.offset(axes, u, v, random);
-            scratch.cells[cell] = (scratch.stamp, shadowed(point));
+/// A look at an area light from a surface point.
+pub struct View<'a> {
+    /// The light.
+    pub light: &'a LightSource,
+    /// Its grid.
+    pub grid: &'a AreaGrid,
+    /// The point.
+    pub p: Vec3,
+    /// The direction to the light's centre.
+    pub to_light: Vec3,
+    /// Simple things in the way.
+    pub screen: Option<Screen>,
+    /// The light where nothing stops it.
+    pub open: Rgb,
+    /// Where the random numbers are.
+    pub random: Stream,
+}
+
+impl View<'_> {
+    /// The mean light: `shadowed` answers for one point of the light.
+    pub fn average(&self, scratch: &mut AreaScratch, mut shadowed: impl FnMut(Vec3) -> Rgb) -> Rgb {
+        let grid = self.grid;
+        scratch.begin(grid.samples() as usize);
+        let axes = grid.axes(self.to_light);
+        let mut corner = |u: u32, v: u32| {
+            let cell = v * grid.size1 + u;
+            let known = &scratch.cells[cell as usize];
+            if known.0 == scratch.stamp {
+                return known.1;
+            }
+            let value = match self.at_once(axes, cell, scratch) {
+                Some(true) => self.open,
+                Some(false) => Rgb::ZERO,
+                None => shadowed(self.light.position + grid.offset(axes, cell, &self.random)),
+            };
+            scratch.cells[cell as usize] = (scratch.stamp, value);
+            value
+        };
+        divide(&mut corner, [0, 0], [grid.size1 - 1, grid.size2 - 1], 0, grid.adaptive)
+    }
+
+    /// Does the light of a grid point arrive, if that is clear? Grid points are looked at in rows.
+    #[inline]
+    fn at_once(&self, axes: (Vec3, Vec3), cell: u32, scratch: &mut AreaScratch) -> Option<bool> {
+        let screen = self.screen.as_ref()?;
+        let (row, bit) = (cell as usize / RAYS, 1 << (cell as usize % RAYS));
+        let known = &mut scratch.rows[row];
+        if known.0 != scratch.stamp {
+            *known = (scratch.stamp, screen.verdict(&self.row(axes, row), SHADOW_TOLERANCE));
         }
-        scratch.cells[cell].1
-    };
-    divide(&mut corner, [0, 0], [grid.size1 - 1, grid.size2 - 1], 0, grid.adaptive)
+        let verdict = known.1;
+        match (verdict.stopped & bit != 0, verdict.free & bit != 0) {
+            (false, false) => None,
+            (stopped, _) => Some(!stopped),
+        }
+    }
+
+    /// The points of a row about the surface point; what comes after the last does not matter.
+    fn row(&self, axes: (Vec3, Vec3), row: usize) -> [Lanes; 3] {
+        let centre = self.light.position - self.p;
+        let mut points = [[0.0; RAYS]; 3];
+        let mut put = |k: usize, offset: Vec3| {
+            let point = centre + offset;
+            (points[0][k], points[1][k], points[2][k]) = (point.x, point.y, point.z);
+        };
+        let first = (row * RAYS) as u32;
+        let last = self.grid.samples() - 1;
+        if !self.grid.jitter {
+            (0..RAYS)
+                .for_each(|k| put(k, self.grid.offset(axes, (first + k as u32).min(last), &self.random)));
+            return points;
+        }
+        let mut random = self.random;
+        random.skip(2 * first);
+        let (mut u, mut v) = (first % self.grid.size1, first / self.grid.size1);
+        for k in 0..RAYS {
+            let (du, dv) = (random.next() - 0.5, random.next() - 0.5);
+            put(k, self.grid.place(axes, f64::from(u) + du, f64::from(v) + dv));
+            u += 1;
+            if u == self.grid.size1 {
+                (u, v) = (0, v + 1);
+            }
+        }
+        points
+    }
 }
 
 /// How many different grid points are asked where all answer alike.
@@ -245,10 +325,10 @@ mod tests {
         let to_light = Vec3::new(1.0, 2.0, 3.0).normalize();
         let axes = grid.axes(to_light);
         assert!(axes.0.dot(to_light).abs() < 1e-12 && axes.1.dot(to_light).abs() < 1e-12);
-        let mut random = Stream::default();
+        let random = Stream::default();
         for u in 0..9 {
             for v in 0..9 {
-                assert!(grid.offset(axes, u, v, &mut random).length() < 1.01);
+                assert!(grid.offset(axes, v * 9 + u, &random).length() < 1.01);
             }
         }
     }

@@ -66,7 +66,12 @@ fn smooth(lo: f64, hi: f64, v: f64) -> f64 {
 }
 
 fn power(base: f64, exponent: f64) -> f64 {
-    if exponent == 0.0 { 1.0 } else { base.powf(exponent) }
+    // Most are small whole numbers.
+    if (0.0..64.0).contains(&exponent) && exponent.fract() == 0.0 {
+        base.powi(exponent as i32)
+    } else {
+        base.powf(exponent)
+    }
 }
 
 impl LightSource {

@@ -4,7 +4,8 @@ use raggio_image::Rgb;
 use raggio_math::{Ray, Vec3};
 use raggio_shading::{Context, Layer};
 
-use super::{AreaGrid, LightSource, Path, area};
+use super::area::{AreaGrid, View};
+use super::{LightSource, Path};
 use crate::integrator::{Interiors, NormalPath, Tracer, copied, fade, for_each_plain, placed, toggle};
 
 /// Nearer than this to either end of a segment nothing casts a shadow.
@@ -33,17 +34,20 @@ impl Tracer<'_> {
             return self.walk_to_light(source, p, path, light, interiors, collects, standing);
         };
         let standing = self.before_area(source, grid, p, path);
-        if matches!(&standing, Standing::Listed(list) if list.is_empty()) && self.is_clear(source) {
-            grid.pass_over(&mut self.streams.lights);
+        let clear = self.is_clear(source);
+        let random = self.streams.lights;
+        grid.pass_over(&mut self.streams.lights);
+        if clear && matches!(&standing, Standing::Listed(list) if list.is_empty()) {
             return light;
         }
+        let world = self.world;
+        let screen = world.geometry.screen(&standing, p, |leaf| world.stops_at(leaf)).filter(|_| clear);
+        let view = View { light: source, grid, p, to_light: path.dir, screen, open: light, random };
         let mut scratch = std::mem::take(&mut self.area_scratch);
-        let mut random = self.streams.lights;
-        let mean = area::average(source, grid, path.dir, &mut scratch, &mut random, |from| {
+        let mean = view.average(&mut scratch, |from| {
             self.walk_to_light(source, p, &source.path_to(p, from), light, interiors, collects, &standing)
         });
         self.area_scratch = scratch;
-        self.streams.lights = random;
         mean
     }
 

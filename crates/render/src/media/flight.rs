@@ -3,7 +3,7 @@ use raggio_image::Rgb;
 
 use super::integrate::{Along, intervals};
 use super::lit::{pieces, ranges};
-use super::{Joined, MediaList, aa_threshold, exp, leader};
+use super::{Joined, MediaList, exp, leader};
 use crate::integrator::{Beam, Tracer};
 
 /// How photons are stored in media.
@@ -38,17 +38,8 @@ impl Tracer<'_> {
             return power;
         };
         let stored = media.iter().any(|m| m.scattering.is_some()) && media.iter().any(|m| m.collect);
-        let lights = ranges(world, &beam.ray, depth, lights);
-        let intervals = intervals(&pieces(&lights, depth), leader);
-        let along = Along {
-            aa_threshold: aa_threshold(&media),
-            media,
-            leader,
-            ray: beam.ray,
-            lights,
-            interiors: &beam.interiors,
-            shadow: true,
-        };
+        let intervals = intervals(&pieces(&ranges(world, &beam.ray, depth, lights), depth), leader);
+        let along = Along::new(media, leader, beam.ray, &beam.interiors);
         for interval in &intervals {
             let wanted = (interval.length / steps.spacing).floor();
             let count = wanted.clamp(0.0, f64::from(steps.most));

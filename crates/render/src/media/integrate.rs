@@ -21,6 +21,14 @@ pub(super) struct Along<'a> {
     pub shadow: bool,
 }
 
+impl<'a> Along<'a> {
+    /// A segment of a ray through some media of which one leads. Only dimming counts, and no lights.
+    pub(super) fn new(media: Joined<'a>, leader: &'a Medium, ray: Ray, interiors: &'a Interiors) -> Self {
+        let aa_threshold = media.iter().map(|m| m.sampling.aa_threshold).fold(f32::INFINITY, f32::min);
+        Along { media, leader, aa_threshold, ray, lights: LitRanges::new(), interiors, shadow: true }
+    }
+}
+
 /// Part of a segment with the sums of its samples.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Interval {

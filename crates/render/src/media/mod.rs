@@ -61,7 +61,7 @@ impl MediaList {
     /// Compiles media that were written in the coordinates given.
     pub fn new(media: &[Placed<scene::Media>], world_from_parent: &Affine, noise: Noise) -> MediaList {
         let compile = |m: &Placed<scene::Media>| {
-            Medium::new(&m.item, &(*world_from_parent * m.parent_from_item), noise)
+            Medium::new(&m.item, &(*world_from_parent * m.parent_from_item()), noise)
         };
         MediaList { media: media.iter().map(compile).collect() }
     }
@@ -80,7 +80,7 @@ impl Medium {
         let densities: Vec<_> = written
             .into_iter()
             .map(|density| {
-                let world_from_density = *world_from_media * density.parent_from_item;
+                let world_from_density = *world_from_media * density.parent_from_item();
                 (Pigment::compile(&density.item.0, noise), world_from_density.inverse())
             })
             .collect();
@@ -204,15 +204,7 @@ impl Tracer<'_> {
         let Some(leader) = leader(&media) else { return };
         let lights = ranges(self.world, &beam.ray, depth, lights);
         let intervals = intervals(&pieces(&lights, depth), leader);
-        let along = Along {
-            aa_threshold: aa_threshold(&media),
-            media,
-            leader,
-            ray: beam.ray,
-            lights,
-            interiors: &beam.interiors,
-            shadow: false,
-        };
+        let along = Along { lights, shadow: false, ..Along::new(media, leader, beam.ray, &beam.interiors) };
         let (glow, depth) = self.integrate(&along, intervals);
         let left = exp(-depth);
         seen.rgb = seen.rgb * left + glow;
@@ -242,22 +234,11 @@ impl Tracer<'_> {
             return exp(-sum * depth as f32);
         }
         let whole: Range = (0.0, depth);
-        let along = Along {
-            aa_threshold: aa_threshold(&media),
-            media,
-            leader,
-            ray: *ray,
-            lights: SmallVec::new(),
-            interiors: &Interiors::new(),
-            shadow: true,
-        };
+        let outside = Interiors::new();
+        let along = Along::new(media, leader, *ray, &outside);
         let intervals = intervals(&[(whole, false)], leader);
         exp(-self.integrate(&along, intervals).1)
     }
-}
-
-fn aa_threshold(media: &Joined<'_>) -> f32 {
-    media.iter().map(|m| m.sampling.aa_threshold).fold(f32::INFINITY, f32::min)
 }
 
 /// Of each part; what is clear stays clear at no cost.

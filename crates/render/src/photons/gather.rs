@@ -17,6 +17,8 @@ pub struct State<'w> {
     gather_max: usize,
     expand_increase: f64,
     expand_min: usize,
+    /// How far the photons of the last search reached, on surfaces and in media.
+    likely: [f64; 2],
     nearest: Nearest,
     /// What the first search found, while the second looks farther.
     first: Nearest,
@@ -32,6 +34,7 @@ impl<'w> State<'w> {
             gather_max: settings.gather_max as usize,
             expand_increase: settings.expand_increase.into(),
             expand_min: settings.expand_min as usize,
+            likely: [f64::INFINITY; 2],
             nearest: Nearest::default(),
             first: Nearest::default(),
         }
@@ -49,25 +52,26 @@ impl<'w> State<'w> {
             return Rgb::ZERO;
         }
         let radius = self.gather(map, p, None);
-        let photons = self.nearest.found.iter().map(|&(_, number)| map.photon(number));
+        let photons = self.nearest.numbers().map(|number| map.photon(number));
         let sum: Rgb = photons.map(|photon| photon.power * weight(photon.toward)).sum();
         if radius > 0.0 { sum * (0.75 / (PI * radius.powi(3))) as f32 } else { Rgb::ZERO }
     }
 
     /// Finds the photons around a point, of a surface if it has a normal; gives the radius that they fill.
     fn gather(&mut self, map: &PhotonMap, p: Vec3, n: Option<Vec3>) -> f64 {
-        let asked = map.radius;
-        map.search(p, asked, self.gather_max, n, &mut self.nearest);
+        let (asked, place) = (map.radius, (p, n));
+        let likely = &mut self.likely[usize::from(n.is_none())];
+        map.search(place, asked, self.gather_max, likely, &mut self.nearest);
         let first = self.nearest.radius(asked);
-        let count = self.nearest.found.len();
+        let count = self.nearest.len();
         if count >= self.gather_min {
             return first;
         }
         std::mem::swap(&mut self.nearest, &mut self.first);
         let density = (count as f64 / (first * first)).max(1e-16);
-        map.search(p, 3.0 * asked, self.gather_max, n, &mut self.nearest);
+        map.search(place, 3.0 * asked, self.gather_max, likely, &mut self.nearest);
         let second = self.nearest.radius(3.0 * asked);
-        let wider = self.nearest.found.len();
+        let wider = self.nearest.len();
         let grown = (wider as f64 / (second * second) - density) / density;
         if grown < self.expand_increase || (wider > 0 && wider < self.expand_min) {
             return second;
@@ -95,13 +99,12 @@ impl Tracer<'_> {
         let Some(mut state) = self.photons.take() else { return Rgb::ZERO };
         let map = &state.maps.surface;
         let radius = *known.get_or_insert_with(|| state.gather(map, point.surface.p, Some(n)));
-        let mut sum = Rgb::ZERO;
-        for &(_, number) in &state.nearest.found {
+        let thrown = state.nearest.numbers().map(|number| {
             let photon = map.photon(number);
             let slant = point.n.dot(photon.toward).clamp(0.1, 1.0);
-            let light = photon.power / slant as f32;
-            sum += self.lit_from(point, finish, n, (rgb, opacity), photon.toward, light);
-        }
+            (photon.toward, photon.power / slant as f32)
+        });
+        let sum = self.lit_from(point, finish, n, (rgb, opacity), thrown);
         self.photons = Some(state);
         if radius > 0.0 { sum / (PI * radius * radius) as f32 } else { Rgb::ZERO }
     }

@@ -1,53 +1,28 @@
-//! The photon map: how coarsely photons are kept, the tree, the search (photon spec, section 2.5).
+//! The photon map: how coarsely photons are kept, the tree (photon spec, section 2.5).
 //!
-//! The tree is built and searched as in POV-Ray, with the photons that its search cannot find, so that pictures agree.
+//! The tree is built as in POV-Ray, with the photons that its search cannot find, so that pictures agree.
 use std::f64::consts::PI;
 
 use raggio_image::Rgb;
 use raggio_math::Vec3;
 
 use super::Photon;
+use super::search::Index;
+pub use super::search::Nearest;
 
 /// Photons in the order of a balanced tree.
 #[derive(Default)]
 pub struct PhotonMap {
     photons: Vec<Photon>,
-    /// Where each is, and how it splits its range.
-    nodes: Vec<Node>,
-    /// Boxes around ranges of at least [`BOXED`] photons, at a quarter of their middle: the middles of two such ranges
-    /// are at least four apart.
-    boxes: Vec<Bounds>,
+    index: Index,
     /// The radius of a gather.
     pub radius: f64,
 }
 
-/// A photon as the search sees it: in the middle of its range.
-#[derive(Clone, Copy, Default)]
-struct Node {
-    p: [f32; 3],
-    /// The axis by which it splits its range.
-    axis: u32,
-}
-
 /// A box around photons.
-#[derive(Clone, Copy, Default)]
 struct Bounds {
     low: [f32; 3],
     high: [f32; 3],
-}
-
-/// The nearest photons of a search.
-#[derive(Default)]
-pub struct Nearest {
-    /// Squared distance and number.
-    pub found: Vec<(f64, u32)>,
-    /// Beyond it (squared) nothing counts.
-    limit: f64,
-    max: usize,
-    /// Were there more than fit?
-    full: bool,
-    /// Flattens the search on surfaces; `None` in space.
-    normal: Option<Vec3>,
 }
 
 impl Photon {
@@ -87,13 +62,8 @@ fn coarse_direction(w: Vec3) -> Vec3 {
 impl PhotonMap {
     /// A map of photons in the order in which they were stored.
     pub fn new(photons: Vec<Photon>) -> PhotonMap {
-        let count = photons.len();
-        let mut map = PhotonMap {
-            nodes: vec![Node::default(); count],
-            boxes: vec![Bounds::default(); count / 4 + 1],
-            photons,
-            radius: 0.0,
-        };
+        let mut map = PhotonMap { photons, ..PhotonMap::default() };
+        let mut shy = Vec::new();
         let mut ranges = Vec::new();
         if !map.photons.is_empty() {
             ranges.push((0, map.photons.len() - 1));
@@ -103,13 +73,16 @@ impl PhotonMap {
             let size = |k: usize| bounds.high[k] - bounds.low[k];
             let axis = (1..3).fold(0, |best, k| if size(k) > size(best) { k } else { best });
             let mid = (s + e) / 2;
-            // Two are left as they are, which is why some photons are never found.
-            if e - s >= 2 {
-                map.select(s, e, mid, axis);
-            }
-            map.nodes[mid] = Node { p: map.photons[mid].p, axis: axis as u32 };
-            if e - s + 1 >= BOXED {
-                map.boxes[mid / 4] = bounds;
+            match e - s {
+                0 => {}
+                // Two are left as they are, which is why some photons are never found.
+                1 => {
+                    let plane = map.photons[s].p[axis];
+                    if map.photons[e].p[axis] < plane {
+                        shy.push((e as u32, axis as u8, plane));
+                    }
+                }
+                _ => map.select(s, e, mid, axis),
             }
             if mid > s {
                 ranges.push((s, mid - 1));
@@ -118,6 +91,9 @@ impl PhotonMap {
                 ranges.push((mid + 1, e));
             }
         }
+        shy.sort_unstable_by_key(|s| s.0);
+        let places: Vec<[f32; 3]> = map.photons.iter().map(|photon| photon.p).collect();
+        map.index = Index::new(&places, shy);
         map
     }
 
@@ -187,122 +163,16 @@ impl PhotonMap {
         }
     }
 
-    /// The nearest photons within a radius, at most `max`; distances on surfaces grow away from the tangent plane.
-    pub fn search(&self, p: Vec3, radius: f64, max: usize, normal: Option<Vec3>, nearest: &mut Nearest) {
-        nearest.found.clear();
-        nearest.limit = radius * radius;
-        nearest.max = max;
-        nearest.full = false;
-        nearest.normal = normal;
-        self.search_range(0, self.nodes.len(), p, nearest);
-    }
-
-    /// Searches the photons from `s` to before `e`.
-    fn search_range(&self, s: usize, e: usize, p: Vec3, nearest: &mut Nearest) {
-        if s == e {
-            return;
-        }
-        let mid = (s + e - 1) / 2;
-        if e - s >= BOXED && self.boxes[mid / 4].distance_squared(p) >= nearest.limit {
-            return;
-        }
-        let node = &self.nodes[mid];
-        let axis = node.axis as usize % 3;
-        let offset = p[axis] - f64::from(node.p[axis]);
-        let square = offset * offset;
-        if square <= nearest.limit {
-            nearest.test(p, node, mid as u32);
-        }
-        if offset < 0.0 {
-            self.search_range(s, mid, p, nearest);
-            if square < nearest.limit {
-                self.search_range(mid + 1, e, p, nearest);
-            }
-        } else {
-            self.search_range(mid + 1, e, p, nearest);
-            if square < nearest.limit {
-                self.search_range(s, mid, p, nearest);
-            }
-        }
-    }
-}
-
-/// Ranges with fewer photons are gone through without a look at their box.
-const BOXED: usize = 8;
-
-impl Node {
-    fn at(&self) -> Vec3 {
-        Vec3::new(self.p[0].into(), self.p[1].into(), self.p[2].into())
-    }
-}
-
-impl Bounds {
-    /// The squared distance from the box.
-    fn distance_squared(&self, p: Vec3) -> f64 {
-        let away = |k: usize| {
-            let (below, above) = (f64::from(self.low[k]) - p[k], p[k] - f64::from(self.high[k]));
-            let away = if below > above { below } else { above };
-            if away > 0.0 { away * away } else { 0.0 }
-        };
-        away(0) + away(1) + away(2)
-    }
-}
-
-impl Nearest {
-    fn test(&mut self, p: Vec3, photon: &Node, number: u32) {
-        let offset = photon.at() - p;
-        let mut square = offset.length_squared();
-        if let Some(n) = self.normal {
-            square *= 1.0 + 16.0 * n.dot(offset).abs();
-        }
-        if square >= self.limit {
-            return;
-        }
-        if self.found.len() < self.max {
-            self.found.push((square, number));
-            return;
-        }
-        // A heap by distance once it is full: the farthest stands first.
-        if !self.full {
-            self.full = true;
-            for i in (0..self.found.len() / 2).rev() {
-                self.sift(i);
-            }
-        }
-        if square < self.found[0].0 {
-            self.found[0] = (square, number);
-            self.sift(0);
-            self.limit = self.found[0].0;
-        }
-    }
-
-    /// Puts the entry `i` of the heap where it belongs below. Most belong far down, so that the way is taken first, along
-    /// the bigger children, and then back up as far as need be.
-    fn sift(&mut self, i: usize) {
-        let heap = &mut self.found[..];
-        let item = heap[i];
-        let mut at = i;
-        while 2 * at + 2 < heap.len() {
-            let (a, b) = (2 * at + 1, 2 * at + 2);
-            // Not a branch: which is bigger cannot be guessed.
-            let child = a + usize::from(heap[b].0 > heap[a].0);
-            heap[at] = heap[child];
-            at = child;
-        }
-        if 2 * at + 1 < heap.len() {
-            heap[at] = heap[2 * at + 1];
-            at = 2 * at + 1;
-        }
-        while at > i && heap[(at - 1) / 2].0 < item.0 {
-            heap[at] = heap[(at - 1) / 2];
-            at = (at - 1) / 2;
-        }
-        heap[at] = item;
-    }
-
-    /// The radius that the photons found fill.
-    pub fn radius(&self, asked: f64) -> f64 {
-        if self.full { self.found[0].0.sqrt() } else { asked }
+    /// Finds the nearest photons within a radius of a point; see [`Nearest::search`].
+    pub fn search(
+        &self,
+        place: (Vec3, Option<Vec3>),
+        radius: f64,
+        max: usize,
+        likely: &mut f64,
+        nearest: &mut Nearest,
+    ) {
+        nearest.search(&self.index, place, radius, max, likely);
     }
 }
 
@@ -326,17 +196,38 @@ mod tests {
         let map = PhotonMap::new(photons.clone());
         let mut nearest = Nearest::default();
         let p = Vec3::new(0.5, 0.05, 0.4);
-        map.search(p, 0.2, 50, None, &mut nearest);
-        assert_eq!(nearest.found.len(), 50);
+        let mut likely = f64::INFINITY;
+        map.search((p, None), 0.2, 50, &mut likely, &mut nearest);
+        assert_eq!(nearest.len(), 50);
         let mut exact: Vec<f64> =
             photons.iter().map(|q| (Vec3::from(q.p.map(f64::from)) - p).length()).collect();
         exact.sort_by(f64::total_cmp);
         let got = nearest.radius(0.2);
-        assert!(got >= exact[49] && got < exact[49] * 1.1, "{got} {}", exact[49]);
-        map.search(p, 0.02, 50, None, &mut nearest);
+        assert!(got > exact[49] * 0.999_999 && got < exact[49] * 1.1, "{got} {}", exact[49]);
+        map.search((p, None), 0.02, 50, &mut likely, &mut nearest);
         let within = exact.iter().filter(|d| **d < 0.02).count();
-        assert!(nearest.found.len() <= within && nearest.found.len() + 3 >= within);
+        assert!(nearest.len() <= within && nearest.len() + 3 >= within);
         assert_eq!(nearest.radius(0.02), 0.02);
+    }
+
+    #[test]
+    fn what_is_found_does_not_depend_on_the_guess() {
+        let map = PhotonMap::new(scattered(3000));
+        let mut nearest = Nearest::default();
+        for normal in [None, Some(Vec3::Y)] {
+            let place = (Vec3::new(0.3, 0.02, 0.8), normal);
+            let mut found = |mut likely: f64| {
+                map.search(place, 0.3, 60, &mut likely, &mut nearest);
+                let mut numbers: Vec<u32> = nearest.numbers().collect();
+                numbers.sort_unstable();
+                assert_eq!(likely, nearest.radius(f64::INFINITY));
+                numbers
+            };
+            let all = found(f64::INFINITY);
+            assert_eq!(all.len(), 60);
+            assert_eq!(found(0.01), all);
+            assert_eq!(found(0.1), all);
+        }
     }
 
     #[test]

@@ -5,6 +5,7 @@
 //! so that the map is the same for any number of threads.
 mod gather;
 mod map;
+mod search;
 mod shoot;
 mod travel;
 

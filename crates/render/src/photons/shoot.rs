@@ -364,12 +364,12 @@ fn radius(map: &PhotonMap, plan: &Plan, room: Room) -> f64 {
     let max = plan.settings.gather_max as usize;
     let samples = (map.len() / 20).clamp(100, 1000).min(map.len());
     let stride = map.len() / samples;
-    let mut nearest = Nearest::default();
+    let (mut nearest, mut likely) = (Nearest::default(), f64::INFINITY);
     let mut density = |i: usize, radius: f64| {
         let photon = map.photon((i * stride) as u32);
         let p = Vec3::new(photon.p[0].into(), photon.p[1].into(), photon.p[2].into());
-        map.search(p, radius, max, None, &mut nearest);
-        nearest.found.len() as f64 / room.within(nearest.radius(radius)).max(1e-30)
+        map.search((p, None), radius, max, &mut likely, &mut nearest);
+        nearest.len() as f64 / room.within(nearest.radius(radius)).max(1e-30)
     };
     // The cube of far distances must stay finite.
     let mean = (0..samples).map(|i| density(i, 1e100)).sum::<f64>() / samples as f64;

@@ -71,7 +71,7 @@ fn misty(extinction: f32) -> Scene {
     let mist = Media { samples: (4, 4), scattering: Some(scattering), ..Media::default() };
     let mut scene = pane(0.05, 0, false);
     let target = Arc::make_mut(&mut scene.objects[1]);
-    let media = vec![Placed { item: Arc::new(mist), parent_from_item: Affine::IDENTITY }];
+    let media = vec![Placed::new(Arc::new(mist))];
     target.interior = Some(Placed::new(Arc::new(Interior { media, ..Interior::default() })));
     target.hollow = Some(true);
     let photons = scene.settings.photons.as_mut().expect("a scene with photons");

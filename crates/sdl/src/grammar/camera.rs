@@ -323,7 +323,7 @@ fn mesh_camera(p: &mut Parser) -> Result<MeshCamera> {
         let Shape::Mesh(mesh) = &**shape else {
             return p.error("not-a-mesh", "a mesh camera takes meshes", span);
         };
-        camera.meshes.push(Placed { item: mesh.clone(), parent_from_item: object.parent_from_object });
+        camera.meshes.push(Placed::at(mesh.clone(), &object.parent_from_object));
         Ok(true)
     })?;
     Ok(camera)

@@ -126,9 +126,10 @@ pub fn add_texture(p: &mut Parser, place: &mut Option<Placed<Texture>>, over: Te
 
 /// A placed texture as one that lies at the origin.
 pub fn settled(placed: Placed<Texture>) -> Texture {
+    let place = placed.parent_from_item();
     let mut texture = Arc::unwrap_or_clone(placed.item);
-    if placed.parent_from_item != raggio_math::Affine::IDENTITY {
-        texture::transform(&mut texture, &placed.parent_from_item);
+    if place != raggio_math::Affine::IDENTITY {
+        texture::transform(&mut texture, &place);
     }
     texture
 }

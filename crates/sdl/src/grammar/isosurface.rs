@@ -1,10 +1,12 @@
 //! Surfaces given by functions (shapes spec, section 7).
-use raggio_math::{Vec2, Vec3};
-use raggio_scene::{Container, Isosurface, IsosurfaceEvaluate, Object, Parametric, Shape};
+use std::sync::Arc;
+
+use raggio_math::{Affine, Vec2, Vec3};
+use raggio_scene::{Container, Csg, Isosurface, IsosurfaceEvaluate, Object, ObjectKind, Parametric, Shape};
 
 use super::function::after_word_or_identifier;
 use super::object;
-use super::util::{comma_float, comma_vec3, float, set, vec2, vec3, word};
+use super::util::{comma_float, float, set, vec2, word};
 use crate::keyword::Kw;
 use crate::parser::{Parser, Result};
 
@@ -12,7 +14,7 @@ const UNIT: Container = Container::Box { min: Vec3::NEG_ONE, max: Vec3::ONE };
 
 /// `isosurface { function { } items }`
 pub fn isosurface(p: &mut Parser) -> Result<Object> {
-    object::shape(p, "isosurface", |p| {
+    object::build(p, "isosurface", |p| {
         let Some(function) = after_word_or_identifier(p)? else { return p.expected("`function`") };
         let mut iso = Isosurface {
             function,
@@ -24,14 +26,30 @@ pub fn isosurface(p: &mut Parser) -> Result<Object> {
             max_trace: 1,
             open: false,
         };
-        while iso_item(p, &mut iso)? {}
-        Ok(Shape::Isosurface(Box::new(mended(p, iso))))
+        let mut solid = None;
+        while iso_item(p, &mut iso, &mut solid)? {}
+        let open = iso.open;
+        iso.open |= solid.is_some();
+        let surface = object::of_shape(Shape::Isosurface(Box::new(mended(p, iso))));
+        Ok(match solid {
+            Some(solid) => contained(surface, solid, open),
+            None => surface,
+        })
     })
 }
 
-fn iso_item(p: &mut Parser, iso: &mut Isosurface) -> Result<bool> {
+/// The part of a surface that lies within a solid. The solid's own surface closes it unless it is to stay open.
+fn contained(mut surface: Object, solid: Arc<Object>, open: bool) -> Object {
+    if open {
+        surface.clips.push(solid);
+        return surface;
+    }
+    Object::new(ObjectKind::Csg { op: Csg::Intersection, children: Arc::new(vec![Arc::new(surface), solid]) })
+}
+
+fn iso_item(p: &mut Parser, iso: &mut Isosurface, solid: &mut Option<Arc<Object>>) -> Result<bool> {
     match word(p)? {
-        Some(Kw::Contained_by) => iso.container = container(p)?,
+        Some(Kw::Contained_by) => (iso.container, *solid) = container(p)?,
         Some(Kw::Threshold) => return set(p, &mut iso.threshold),
         Some(Kw::Accuracy) => return set(p, &mut iso.accuracy),
         Some(Kw::Max_gradient) => return set(p, &mut iso.max_gradient),
@@ -71,28 +89,40 @@ fn mended(p: &mut Parser, mut iso: Isosurface) -> Isosurface {
     iso
 }
 
-/// `contained_by { box { a, b } }` or `contained_by { sphere { c, r } }`
-fn container(p: &mut Parser) -> Result<Container> {
+/// `contained_by { box { a, b } }`, `contained_by { sphere { c, r } }` or, an addition to the language, any bounded
+/// solid: it comes with the box around it.
+fn container(p: &mut Parser) -> Result<(Container, Option<Arc<Object>>)> {
     p.next()?;
     p.expect('{')?;
-    let container = if p.accept(Kw::Box)? {
-        p.expect('{')?;
-        let (a, b) = (vec3(p)?, comma_vec3(p)?);
-        Container::Box { min: a.min(b), max: a.max(b) }
-    } else if p.accept(Kw::Sphere)? {
-        p.expect('{')?;
-        Container::Sphere { center: vec3(p)?, radius: comma_float(p)?.abs() }
-    } else {
-        return p.expected("`box` or `sphere`");
+    let Some(object) = object::any_or_identifier(p)? else {
+        return p.expected("`box`, `sphere` or another bounded solid");
     };
+    let span = p.span();
     p.expect('}')?;
-    p.expect('}')?;
-    Ok(container)
+    if object.parent_from_object == Affine::IDENTITY
+        && let ObjectKind::Shape(shape) = &object.kind
+    {
+        match *shape.as_ref() {
+            Shape::Box { min, max } => return Ok((Container::Box { min, max }, None)),
+            Shape::Sphere { center, radius } => {
+                return Ok((Container::Sphere { center, radius: radius.abs() }, None));
+            }
+            _ => {}
+        }
+    }
+    let object = Arc::new(object);
+    let bounds = p.bounds(&object);
+    if object.inverse || !bounds.is_finite() || bounds.is_empty() || object::is_patch(&object) {
+        return p.error("bad-container", "what contains a surface must be a bounded solid", span);
+    }
+    // Larger than the solid, so that no side of the box lies in a side of the solid.
+    let margin = 0.01 * bounds.size();
+    Ok((Container::Box { min: bounds.min - margin, max: bounds.max + margin }, Some(object)))
 }
 
 /// `parametric { function { x } function { y } function { z } <u, v>, <u, v> items }`
 pub fn parametric(p: &mut Parser) -> Result<Object> {
-    object::shape(p, "parametric", |p| {
+    object::build(p, "parametric", |p| {
         let mut functions = Vec::new();
         while functions.len() < 3 {
             match after_word_or_identifier(p)? {
@@ -114,14 +144,21 @@ pub fn parametric(p: &mut Parser) -> Result<Object> {
             accuracy: 0.001,
             precompute_depth: 0,
         };
-        while parametric_item(p, &mut parametric)? {}
-        Ok(Shape::Parametric(Box::new(parametric)))
+        let mut solid = None;
+        while parametric_item(p, &mut parametric, &mut solid)? {}
+        let mut surface = object::of_shape(Shape::Parametric(Box::new(parametric)));
+        surface.clips.extend(solid);
+        Ok(surface)
     })
 }
 
-fn parametric_item(p: &mut Parser, surface: &mut Parametric) -> Result<bool> {
+fn parametric_item(
+    p: &mut Parser,
+    surface: &mut Parametric,
+    solid: &mut Option<Arc<Object>>,
+) -> Result<bool> {
     match word(p)? {
-        Some(Kw::Contained_by) => surface.container = container(p)?,
+        Some(Kw::Contained_by) => (surface.container, *solid) = container(p)?,
         Some(Kw::Accuracy) => return set(p, &mut surface.accuracy),
         Some(Kw::Max_gradient) => return set(p, &mut surface.max_gradient),
         Some(Kw::Precompute) => {

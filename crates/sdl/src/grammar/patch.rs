@@ -1,9 +1,11 @@
 //! `bicubic_patch { ... }` (shapes spec, section 3).
+use std::sync::Arc;
+
 use raggio_math::{Vec2, Vec3};
-use raggio_scene::{Object, Shape};
+use raggio_scene::{Knots, Nurbs, Object, Shape};
 
 use super::object;
-use super::util::{comma_float, comma_vec3, count, float, set, vec2, word};
+use super::util::{comma_float, comma_vec3, count, float, set, set_flag, vec2, word};
 use crate::keyword::Kw;
 use crate::parser::{Parser, Result, Tok};
 
@@ -12,23 +14,22 @@ const MOST_STEPS: u32 = 12;
 
 struct Head {
     patch_type: Option<i64>,
+    /// An addition to the language: hit directly, without facets.
+    smooth: bool,
     flatness: f64,
     u_steps: u32,
     v_steps: u32,
     uv: [Vec2; 4],
 }
 
-/// `bicubic_patch { type t flatness f u_steps u v_steps v 16 points }`
+const CORNERS: [Vec2; 4] = [Vec2::ZERO, Vec2::X, Vec2::ONE, Vec2::Y];
+
+/// `bicubic_patch { type t [smooth] flatness f u_steps u v_steps v 16 points }`
 pub fn bicubic_patch(p: &mut Parser) -> Result<Object> {
     object::shape(p, "bicubic_patch", |p| {
         let span = p.span();
-        let mut head = Head {
-            patch_type: None,
-            flatness: 0.0,
-            u_steps: 0,
-            v_steps: 0,
-            uv: [Vec2::ZERO, Vec2::X, Vec2::ONE, Vec2::Y],
-        };
+        let mut head =
+            Head { patch_type: None, smooth: false, flatness: 0.0, u_steps: 0, v_steps: 0, uv: CORNERS };
         while head_item(p, &mut head)? {}
         let patch_type = match head.patch_type {
             Some(t @ 0..=1) => t as u8,
@@ -45,8 +46,21 @@ pub fn bicubic_patch(p: &mut Parser) -> Result<Object> {
             *point = comma_vec3(p)?;
         }
         let Head { flatness, u_steps, v_steps, uv, .. } = head;
+        if head.smooth {
+            if uv != CORNERS {
+                return p.error("bad-patch", "a smooth bicubic_patch takes no uv_vectors", span);
+            }
+            return Ok(Shape::Nurbs(Arc::new(surface(&points))));
+        }
         Ok(Shape::BicubicPatch { patch_type, flatness, u_steps, v_steps, points, uv })
     })
+}
+
+/// The patch as a spline surface of one piece.
+fn surface(points: &[[Vec3; 4]; 4]) -> Nurbs {
+    let knots = Knots { degree: 3, knots: vec![0., 0., 0., 0., 1., 1., 1., 1.] };
+    let points = points.iter().flatten().map(|&point| (point, 1.0)).collect();
+    Nurbs { u: knots.clone(), v: knots, points, trims: Vec::new() }
 }
 
 fn head_item(p: &mut Parser, head: &mut Head) -> Result<bool> {
@@ -54,6 +68,9 @@ fn head_item(p: &mut Parser, head: &mut Head) -> Result<bool> {
         Some(Kw::Type) => {
             p.next()?;
             head.patch_type = Some(float(p)? as i64);
+        }
+        Some(Kw::Smooth) => {
+            set_flag(p, &mut head.smooth)?;
         }
         Some(Kw::Flatness) => {
             set(p, &mut head.flatness)?;

@@ -1,7 +1,7 @@
 //! Functions whose value is a vector, and those that ask the engine (language spec, section 2.4).
 use std::sync::Arc;
 
-use raggio_math::{Vec3, transform};
+use raggio_math::{Aabb, Vec3, transform};
 use raggio_scene::{Object, PigmentKind};
 
 use super::num::Num;
@@ -108,12 +108,17 @@ impl Parser<'_> {
         Ok(target)
     }
 
+    /// The box around an object.
+    pub(crate) fn bounds(&self, object: &Arc<Object>) -> Aabb {
+        self.engine.bounds(object)
+    }
+
     fn extent(&mut self, max: bool) -> Result<Num> {
         if self.peek()? == Tok::Value(Kind::Pigment) {
             return self.image_extent();
         }
         let object = self.object_argument()?;
-        let bounds = self.engine.bounds(&object);
+        let bounds = self.bounds(&object);
         let corner = if max { bounds.max } else { bounds.min };
         let limit = |x: f64| f64::from(x.clamp(-HUGE, HUGE) as f32);
         let corner = corner.to_array().map(|x| if x.is_nan() { 0.0 } else { limit(x) });

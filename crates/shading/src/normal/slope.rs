@@ -45,10 +45,12 @@ impl Slope {
 
     /// The normal bent at a warped point.
     pub fn bend(&self, pattern: &Pattern, n: Vec3, p: Vec3, context: &Context) -> Vec3 {
-        PYRAMID.iter().fold(n, |bent, &direction| {
-            let value = pattern.eval_warped(p + self.step * direction, context);
-            bent + direction * (self.strength * self.height(value))
-        })
+        let points = PYRAMID.map(|direction| p + self.step * direction);
+        let values = pattern.eval_warped4(&points, context);
+        PYRAMID
+            .iter()
+            .zip(values)
+            .fold(n, |bent, (&direction, value)| bent + direction * (self.strength * self.height(value)))
     }
 
     fn height(&self, value: f64) -> f64 {

@@ -18,14 +18,12 @@ enum Rule {
     Dents { noise: u8 },
     Wrinkles,
     Quilted { controls: Vec2 },
-    Ripples(Waves),
-    Waves(Waves),
+    Spreading(Waves),
     Facets { size: f64, coords: f64, metric: Metric },
 }
 
 impl Compiler {
     pub(super) fn special(&self, pattern: &NormalPattern, settings: &scene::Pattern, amount: f64) -> Special {
-        let waves = || Waves::new(settings, self.noise.waves);
         let rule = match *pattern {
             NormalPattern::Bumps => Rule::Bumps,
             NormalPattern::Dents => Rule::Dents { noise: self.generator(settings) },
@@ -33,8 +31,8 @@ impl Compiler {
             NormalPattern::Quilted { control0, control1 } => {
                 Rule::Quilted { controls: Vec2::new(f64::from(control0), f64::from(control1)) }
             }
-            NormalPattern::Ripples => Rule::Ripples(waves()),
-            NormalPattern::Waves => Rule::Waves(waves()),
+            NormalPattern::Ripples => Rule::Spreading(Waves::of_one_frequency(settings, self.noise.waves)),
+            NormalPattern::Waves => Rule::Spreading(Waves::of_own_frequencies(settings, self.noise.waves)),
             NormalPattern::Facets { size, coords, metric } => {
                 Rule::Facets { size, coords, metric: Metric::signed(metric) }
             }
@@ -55,8 +53,7 @@ impl Special {
                 let (q, strength) = quilt_strength(p, *controls);
                 n + a * strength * q
             }
-            Rule::Ripples(waves) => n + waves.ripple_bend(p, a),
-            Rule::Waves(waves) => n + waves.wave_bend(p, a),
+            Rule::Spreading(waves) => n + waves.bend(p, a),
             Rule::Facets { size, coords, metric } => facet(n, p, *size, *coords, *metric),
         }
     }

@@ -1,8 +1,7 @@
 //! Patterns of whole numbers: each cell of a grid has its entry in a list.
 use raggio_math::noise::{hash3, random};
+use raggio_math::turns::{floor, floors, fraction};
 use raggio_math::{EPS, Vec3};
-
-use super::wave::fraction;
 
 const SQRT_3: f64 = 1.732_050_807_568_877_2;
 
@@ -11,7 +10,7 @@ fn is_odd(v: f64) -> bool {
 }
 
 fn shifted_floor(p: Vec3) -> Vec3 {
-    (p + Vec3::splat(EPS)).floor()
+    floors(p + Vec3::splat(EPS))
 }
 
 pub(super) fn cells(p: Vec3) -> f64 {
@@ -35,7 +34,7 @@ pub(super) fn brick(p: Vec3, size: Vec3, mortar: Vec3, gap: f64) -> f64 {
 }
 
 pub(super) fn square(p: Vec3) -> f64 {
-    match (is_odd(p.x.floor()), is_odd(p.z.floor())) {
+    match (is_odd(floor(p.x)), is_odd(floor(p.z))) {
         (false, false) => 0.0,
         (false, true) => 1.0,
         (true, true) => 2.0,
@@ -78,10 +77,10 @@ pub(super) fn hexagon(p: Vec3) -> f64 {
     // 3 sqrt(3) and sqrt(3) / 2, as the language rounds them.
     const PERIOD: f64 = 5.196152424;
     const HALF: f64 = 0.866025404;
-    let in_six = |v: f64| v - 6.0 * (v / 6.0).floor();
+    let in_six = |v: f64| v - 6.0 * floor(v / 6.0);
     let z = if p.z < 0.0 { PERIOD - p.z.abs() } else { p.z };
     let (x, z) = (in_six(2.0 * p.x.abs()), in_six(z / HALF));
-    let (m, n) = (x.floor() as u8 % 6, z.floor() as usize % 6);
+    let (m, n) = (floor(x) as u8 % 6, floor(z) as usize % 6);
     let row: [u8; 6] = match m {
         0 | 5 => [0, 1, 1, 2, 2, 0],
         2 | 3 => [2, 2, 0, 0, 1, 1],
@@ -100,9 +99,9 @@ fn below_diagonal(fx: f64, fz: f64, parity: usize) -> bool {
 
 /// Triangles about the y axis in six colours.
 pub(super) fn triangular(p: Vec3) -> f64 {
-    let x = p.x - 3.0 * (p.x / 3.0).floor();
-    let z = p.z - SQRT_3 * (p.z / SQRT_3).floor();
-    let column = x.floor();
+    let x = p.x - 3.0 * floor(p.x / 3.0);
+    let z = p.z - SQRT_3 * floor(p.z / SQRT_3);
+    let column = floor(x);
     let u = x - column;
     let upper = z >= SQRT_3 / 2.0;
     let z = if upper { SQRT_3 - z } else { z };

@@ -4,8 +4,9 @@ use raggio_math::{EPS, Vec2, Vec3};
 use raggio_scene::{self as scene, PatternKind, Warp};
 
 use super::crackle::Crackle;
-use super::noisy::{Turbulence, Waves};
+use super::noisy::Turbulence;
 use super::pavement::Pavement;
+use super::ripples::Waves;
 use super::slope::Slope;
 use super::tiling::Tiling;
 use super::wave::Waveform;
@@ -68,7 +69,7 @@ impl Compiler {
                 Kind::Quilted { controls: Vec2::new(f64::from(*control0), f64::from(*control1)) }
             }
             PatternKind::Radial => Kind::Radial,
-            PatternKind::Ripples => Kind::Ripples(Waves::new(pattern, self.noise.waves)),
+            PatternKind::Ripples => Kind::Ripples(Waves::of_one_frequency(pattern, self.noise.waves)),
             PatternKind::Slope(settings) => Kind::Slope(Box::new(Slope::new(settings))),
             PatternKind::Spherical => Kind::Spherical,
             PatternKind::Spiral1(arms) => Kind::Spiral1 { arms: f64::from(*arms), noise, turbulence },
@@ -76,7 +77,7 @@ impl Compiler {
             PatternKind::Square => Kind::Square,
             PatternKind::Tiling(number) => Tiling::new(*number).map_or(Kind::Zero, Kind::Tiling),
             PatternKind::Triangular => Kind::Triangular,
-            PatternKind::Waves => Kind::Waves(Waves::new(pattern, self.noise.waves)),
+            PatternKind::Waves => Kind::Waves(Waves::of_own_frequencies(pattern, self.noise.waves)),
             PatternKind::Wood => Kind::Wood { turbulence },
             PatternKind::Wrinkles => Kind::Wrinkles { noise },
         }

@@ -1,5 +1,6 @@
 //! Crackle: distances to the nearest of scattered points, one in each unit cell.
 use raggio_math::noise::noise;
+use raggio_math::turns::floors;
 use raggio_math::{EPS, Vec3};
 use raggio_scene as scene;
 
@@ -153,7 +154,7 @@ impl<const N: usize> Nearest<N> {
     #[inline]
     fn search(q: Vec3, metric: Metric) -> Self {
         if metric.grows() {
-            let base = (q - Vec3::splat(EPS)).floor();
+            let base = floors(q - Vec3::splat(EPS));
             let f = q - base;
             let rim = (f + 1.0).min_element().min((2.0 - f).min_element());
             let near = Around::ask(base, |around| Self::among(around, q, metric));
@@ -189,7 +190,7 @@ impl<const N: usize> Nearest<N> {
 
     /// Looks at all cells.
     fn search_all(q: Vec3, metric: Metric) -> Self {
-        let base = (q - Vec3::splat(EPS)).floor();
+        let base = floors(q - Vec3::splat(EPS));
         let f = q - base;
         // What the way to the slab of cells two below .. two above adds at least, per axis.
         let term = |d: f64| metric.term(d);
@@ -258,7 +259,7 @@ mod tests {
 
     /// All 81 cells, none skipped.
     fn exhaustive(q: Vec3, metric: Metric) -> [f64; 3] {
-        let base = (q - Vec3::splat(EPS)).floor();
+        let base = floors(q - Vec3::splat(EPS));
         let mut all: Vec<f64> = CELLS
             .iter()
             .map(|(d, _)| {

@@ -1,6 +1,7 @@
 //! Patterns of plain geometry: distances, angles, quilts.
 use std::f64::consts::{PI, TAU};
 
+use raggio_math::turns::{remainder, sin};
 use raggio_math::{Vec2, Vec3};
 
 /// 1 at the middle, falling to 0 at distance 1 and staying there.
@@ -10,11 +11,11 @@ pub(super) fn falling(distance: f64) -> f64 {
 
 /// Only what is above 1 wraps here; the rest is left to the wave form.
 pub(super) fn above_one_wraps(v: f64) -> f64 {
-    if v > 1.0 { v.fract() } else { v }
+    if v > 1.0 { remainder(v, 1.0) } else { v }
 }
 
 pub(super) fn leopard(p: Vec3) -> f64 {
-    let v = (p.x.sin() + p.y.sin() + p.z.sin()) / 3.0;
+    let v = (sin(p.x) + sin(p.y) + sin(p.z)) / 3.0;
     v * v
 }
 

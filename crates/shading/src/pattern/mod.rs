@@ -9,6 +9,7 @@ mod fractal;
 mod geometric;
 mod noisy;
 mod pavement;
+mod ripples;
 mod scatter;
 mod slope;
 mod tiling;
@@ -18,7 +19,8 @@ use std::sync::Arc;
 
 use raggio_geometry::Geometry;
 use raggio_image::grey;
-use raggio_math::noise::{WaveSource, noise};
+use raggio_math::noise::{noise, noise4};
+use raggio_math::turns::fraction;
 use raggio_math::{Vec2, Vec3};
 use raggio_scene as scene;
 
@@ -30,7 +32,8 @@ use crate::{Context, Noise, Pigment};
 pub(crate) use block::{CubeFace, cube_face};
 pub(crate) use crackle::{Metric, nearest_feature};
 pub(crate) use geometric::quilt_strength;
-pub(crate) use noisy::{Turbulence, Waves, wrinkle_bend};
+pub(crate) use noisy::{Turbulence, wrinkle_bend};
+pub(crate) use ripples::Waves;
 
 /// A compiled pattern.
 #[derive(Debug)]
@@ -151,6 +154,24 @@ impl Pattern {
         self.wave.apply(self.kind.value(p, context))
     }
 
+    /// The values at four points that have been warped already.
+    #[inline]
+    pub(crate) fn eval_warped4(&self, points: &[Vec3; 4], context: &Context) -> [f64; 4] {
+        let mut values = [0.0; 4];
+        match &self.kind {
+            Kind::Bozo { noise } => values = noise4(*noise, points),
+            kind => {
+                for (value, p) in values.iter_mut().zip(points) {
+                    *value = kind.value(*p, context);
+                }
+            }
+        }
+        for value in &mut values {
+            *value = self.wave.apply(*value);
+        }
+        values
+    }
+
     /// The warps, for normals on their way in and out.
     pub(crate) fn warps(&self) -> &WarpList {
         &self.warps
@@ -170,7 +191,7 @@ impl Kind {
             Kind::Checker => block::checker(p),
             Kind::Crackle(crackle) => crackle.value(p),
             Kind::Cubic => f64::from(cube_face(p) as u8),
-            Kind::Cylindrical => geometric::falling(p.x.hypot(p.z)),
+            Kind::Cylindrical => geometric::falling(Vec2::new(p.x, p.z).length()),
             Kind::Density(file) => density::value(file, p),
             Kind::Dents { noise: generator } => noise(*generator, p).powi(3),
             Kind::Fractal(settings) => fractal::value(settings, p),
@@ -182,30 +203,26 @@ impl Kind {
             Kind::Leopard => geometric::leopard(p),
             Kind::Marble { noise, turbulence } => p.x + turbulence.along_x(*noise, p),
             Kind::Object(object) => f64::from(object.0.inside(p)),
-            Kind::Onion => p.length().fract(),
+            Kind::Onion => fraction(p.length()),
             Kind::Pavement(pavement) => pavement.value(p.x, p.z),
             Kind::Pigment(pigment) => f64::from(grey(pigment.sample(p, context).0.rgb)),
             Kind::Planar => geometric::falling(p.y.abs()),
             Kind::Quilted { controls } => geometric::quilted(p, *controls),
             Kind::Radial => geometric::radial(p),
-            Kind::Ripples(waves) => waves.ripples(p),
+            Kind::Ripples(waves) => waves.ripples_value(p),
             Kind::Slope(slope) => slope.value(p, context),
             Kind::Spherical => geometric::falling(p.length()),
             Kind::Spiral1 { arms, noise, turbulence } => noisy::spiral(p, *arms, *noise, turbulence),
             Kind::Spiral2 { arms, noise, turbulence } => {
-                wave::triangle(p.x.hypot(p.y)) + wave::triangle(noisy::spiral(p, *arms, *noise, turbulence))
+                wave::triangle(p.truncate().length())
+                    + wave::triangle(noisy::spiral(p, *arms, *noise, turbulence))
             }
             Kind::Square => block::square(p),
             Kind::Tiling(tiling) => tiling.value(p.x, p.z),
             Kind::Triangular => block::triangular(p),
-            Kind::Waves(waves) => waves.waves(p),
+            Kind::Waves(waves) => waves.waves_value(p),
             Kind::Wood { turbulence } => noisy::wood(p, turbulence),
             Kind::Wrinkles { noise } => noisy::wrinkles(p, *noise),
         }
     }
-}
-
-/// The sources that `ripples` and `waves` of this scene spread from.
-fn sources(count: u32) -> Box<[WaveSource]> {
-    raggio_math::noise::wave_sources(count).into()
 }

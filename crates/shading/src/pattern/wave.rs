@@ -1,28 +1,20 @@
 //! What happens to a pattern's value after its formula: frequency, phase, wave form (textures spec, section 2).
-use std::f64::consts::TAU;
-
+use raggio_math::turns::{floor, fraction, remainder, sin_turns};
 use raggio_scene as scene;
 
 /// Values wrap a little above 1, so that 1 itself stays.
 const PERIOD: f64 = 1.00001;
 
-/// The part of a number above its floor, in 0..1.
-#[inline]
-pub(crate) fn fraction(v: f64) -> f64 {
-    v - v.floor()
-}
-
 /// A sine wave of period 1, odd about 0.
 #[inline]
 pub(crate) fn cycle(v: f64) -> f64 {
-    let wave = (TAU * fraction(v.abs())).sin();
-    if v < 0.0 { -wave } else { wave }
+    sin_turns(v)
 }
 
 /// A triangle wave: 0 to 1 and back over 0..1.
 #[inline]
 pub(crate) fn triangle(v: f64) -> f64 {
-    let t = if v >= 0.0 { fraction(v) } else { v + 1.0 + v.abs().floor() };
+    let t = if v >= 0.0 { fraction(v) } else { v + 1.0 + floor(v.abs()) };
     if t < 0.5 { 2.0 * t } else { 2.0 * (1.0 - t) }
 }
 
@@ -50,11 +42,11 @@ impl Waveform {
         if self.frequency != 0.0 {
             v = v * self.frequency + self.phase;
             if v.abs() >= PERIOD {
-                v %= PERIOD;
+                v = remainder(v, PERIOD);
             }
         }
         if v < 0.0 {
-            v -= v.floor();
+            v = fraction(v);
         }
         if v.is_nan() { 0.0 } else { self.shape(v) }
     }

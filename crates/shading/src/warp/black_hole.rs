@@ -1,5 +1,6 @@
 //! `warp { black_hole }`: a sphere that draws the pattern in or pushes it out, alone or repeated.
 use raggio_math::noise::{hash3, random3};
+use raggio_math::turns::floor;
 use raggio_math::{EPS, Vec3};
 
 #[derive(Debug)]
@@ -59,7 +60,7 @@ impl BlackHole {
 
     fn center_near(&self, p: Vec3) -> Vec3 {
         let Some(Blocks { size, wander }) = &self.repeat else { return self.center };
-        let block = |k: usize| if size[k] >= EPS { (p[k] / size[k]).floor() } else { 0.0 };
+        let block = |k: usize| if size[k] >= EPS { floor(p[k] / size[k]) } else { 0.0 };
         let block = Vec3::new(block(0), block(1), block(2));
         let shift = if *wander == Vec3::ZERO {
             Vec3::ZERO

@@ -1,5 +1,6 @@
 //! `warp { repeat }`: slices of space along one axis, every second one mirrored if so wished.
 use raggio_math::Vec3;
+use raggio_math::turns::floor;
 
 #[derive(Debug)]
 pub(super) struct Repeat {
@@ -20,7 +21,7 @@ impl Repeat {
 
     pub fn apply(&self, mut p: Vec3) -> Vec3 {
         let k = self.axis;
-        let slice = f64::from((p[k] / self.width).floor() as f32);
+        let slice = f64::from(floor(p[k] / self.width) as f32);
         p[k] -= slice * self.width;
         if slice as i64 & 1 != 0 {
             p *= self.flip;

@@ -1,5 +1,6 @@
 //! Tori, polynomials, blobs and prisms.
 use super::*;
+use crate::LocalHit;
 
 pub(super) fn torus(name: &'static str) -> Subject {
     let ring = Shape::Torus { major: 1.0, minor: 0.35 };
@@ -192,4 +193,36 @@ fn prisms() {
         }
     }
     prism("prism").uv_agrees_with_the_record(3e-4);
+}
+
+/// Every distance must be found, and no other; a ray that passes within rounding of the surface may miss it.
+#[test]
+fn tori_against_roots_with_eighty_digits() {
+    let mut sure = 0;
+    for line in include_str!("../../../tests/data/torus_roots.csv").lines().filter(|l| !l.starts_with('#')) {
+        let (kind, numbers) = line.split_once(',').expect("fields");
+        let v: Vec<f64> = numbers.split(',').map(|x| x.parse().expect("a number")).collect();
+        let surface = build(&Shape::Torus { major: v[0], minor: v[1] }).expect("a torus");
+        let ray = Ray::new(Vec3::new(v[2], v[3], v[4]), Vec3::new(v[5], v[6], v[7]));
+        let mut hits = Vec::new();
+        surface.hits(&ray, (0.0, f64::INFINITY), &mut hits);
+        let expected = &v[8..];
+        // Of the place of the origin, over how steeply the surface is met.
+        let slack = |t: f64| {
+            let p = ray.at(t);
+            let across = surface.normal(p, &LocalHit::at(t)).dot(ray.dir).abs();
+            1e-13 * (v[0] + ray.origin.length()) / across
+        };
+        for (i, &t) in expected.iter().enumerate() {
+            let gap = expected.iter().enumerate().filter(|(k, _)| *k != i).map(|(_, y)| (t - y).abs());
+            if slack(t) < 0.1 * gap.fold(f64::INFINITY, f64::min) {
+                sure += 1;
+                let found = hits.iter().any(|h| (h.t - t).abs() < slack(t));
+                assert!(found, "{kind}: {t} is missing in {hits:?}: {line}");
+            }
+        }
+        let known = |h: &LocalHit| expected.iter().any(|t| (h.t - t).abs() < slack(*t).max(slack(h.t)));
+        assert!(hits.iter().all(known), "{kind}: {hits:?} for {line}");
+    }
+    assert!(sure > 600, "{sure} roots");
 }

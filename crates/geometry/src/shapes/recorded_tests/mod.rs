@@ -15,6 +15,7 @@ use crate::Surface;
 mod fields;
 mod functions;
 mod laws;
+mod properties;
 mod swept;
 
 const HITS: &str = include_str!("../../../tests/data/shape_hits.csv");

@@ -1,5 +1,6 @@
 //! Pavements of unit squares.
-use super::super::wave::fraction;
+use raggio_math::turns::fraction;
+
 use super::{Shape, Style};
 
 /// A corner of a cell.

@@ -1,0 +1,347 @@
+//! Small combinations of simple bodies, asked in one sweep along the ray.
+//!
+//! A ball, box, half space, cone or quadric is met by a ray in one stretch: inside is within it, or beyond. Between the
+//! ends of all stretches nothing changes, so a walk from end to end only keeps count of how many members of each group
+//! contain the ray; an end is a hit where the counts of the groups around its leaf say so. Where ends lie so close that
+//! rounding may have put them in the wrong order the point itself is asked, as in all other combinations.
+use raggio_math::Ray;
+use smallvec::SmallVec;
+
+use crate::Hit;
+use crate::leaf::Leaves;
+use crate::shapes::Stretch;
+use crate::tree::{Group, Node, NodeRef, Op, Tree};
+
+/// So many leaves, and groups, a combination may have.
+const MOST_PARTS: usize = 64;
+const MOST_LEVELS: usize = 16;
+
+/// Ends nearer to each other than this, as a share of the distance and by itself, may be in the wrong order.
+const CLOSE: f64 = 1e-6;
+/// A hit is looked for again in its leaf by so much around its distance.
+const AROUND: f64 = 1e-9;
+
+/// A combination ready for sweeps.
+pub(crate) struct Solid {
+    parts: Vec<Part>,
+    levels: Vec<Level>,
+    /// How many members of each level contain a ray that is in none of the bodies.
+    outside: [u8; MOST_LEVELS],
+}
+
+/// A leaf in its group.
+struct Part {
+    leaf: u32,
+    level: u8,
+    /// Its place in its group.
+    member: u32,
+    inverted: bool,
+    /// Only cuts: a clip.
+    silent: bool,
+    /// Nothing counts outside it.
+    holds: bool,
+    /// Nothing counts inside its body.
+    bars: bool,
+    rank: u32,
+}
+
+/// A group, or the clips around one.
+struct Level {
+    op: Op,
+    size: u8,
+    parent: Option<u8>,
+    /// Its place in the group around it.
+    member: u32,
+    /// Which group; none for clips.
+    group: Option<u32>,
+}
+
+/// An end of a stretch.
+#[derive(Clone, Copy)]
+struct End {
+    t: f64,
+    part: u32,
+}
+
+/// Where a walk stands.
+struct Walk<'a> {
+    solid: &'a Solid,
+    /// How many members of each level contain the ray here.
+    counts: [u8; MOST_LEVELS],
+    /// Bits of the parts that contain it.
+    contains: u64,
+}
+
+impl Level {
+    #[inline(always)]
+    fn is_inside(&self, count: u8) -> bool {
+        match self.op {
+            Op::Intersection => count == self.size,
+            Op::Union | Op::Merge => count > 0,
+        }
+    }
+
+    /// Does the hit of a member count, as far as so many others that contain it say?
+    #[inline(always)]
+    fn lets_count(&self, others: u8) -> bool {
+        match self.op {
+            Op::Intersection => others + 1 == self.size,
+            Op::Merge => others == 0,
+            Op::Union => true,
+        }
+    }
+}
+
+impl Solid {
+    /// Prepares a group for sweeps, if all its leaves are simple bodies and they are few.
+    pub(crate) fn new(group: &Group, at: u32, leaves: &Leaves, groups: &[Group]) -> Option<Solid> {
+        if group.op == Op::Union && group.clips.is_empty() {
+            return None;
+        }
+        let mut solid = Solid { parts: Vec::new(), levels: Vec::new(), outside: [0; MOST_LEVELS] };
+        solid.add_group(group, at, None, (0, false), leaves, groups)?;
+        solid.mark_limits();
+        // What limits the rest comes first.
+        solid.parts.sort_by_key(|part| !part.holds);
+        let mut walk = Walk { solid: &solid, counts: solid.outside, contains: 0 };
+        for part in solid.parts.iter().filter(|part| part.inverted) {
+            walk.change(part.level, true);
+        }
+        solid.outside = walk.counts;
+        Some(solid)
+    }
+
+    fn add_group(
+        &mut self,
+        group: &Group,
+        at: u32,
+        parent: Option<u8>,
+        (member, silent): (u32, bool),
+        leaves: &Leaves,
+        groups: &[Group],
+    ) -> Option<()> {
+        if !group.bounds.is_empty() || group.members.is_empty() || group.members.iter().any(|m| m.skip != 0) {
+            return None;
+        }
+        let mut around = parent;
+        if !group.clips.is_empty() {
+            around = Some(self.add_level(Op::Intersection, group.clips.len() + 1, parent, member, None)?);
+            for &clip in &group.clips {
+                self.add_node(clip, around?, (0, true), leaves, groups)?;
+            }
+        }
+        let level = self.add_level(group.op, group.members.len(), around, member, Some(at))?;
+        for (i, m) in group.members.iter().enumerate() {
+            self.add_node(m.node, level, (i as u32, silent), leaves, groups)?;
+        }
+        Some(())
+    }
+
+    fn add_level(
+        &mut self,
+        op: Op,
+        size: usize,
+        parent: Option<u8>,
+        member: u32,
+        group: Option<u32>,
+    ) -> Option<u8> {
+        let room = self.levels.len() < MOST_LEVELS && size <= MOST_PARTS;
+        self.levels.push(Level { op, size: u8::try_from(size).ok()?, parent, member, group });
+        room.then_some(self.levels.len() as u8 - 1)
+    }
+
+    fn add_node(
+        &mut self,
+        node: NodeRef,
+        level: u8,
+        (member, silent): (u32, bool),
+        leaves: &Leaves,
+        groups: &[Group],
+    ) -> Option<()> {
+        match node.node() {
+            Node::Group(at) => {
+                self.add_group(&groups[at as usize], at, Some(level), (member, silent), leaves, groups)
+            }
+            Node::Leaf(leaf) => {
+                let room = self.parts.len() < MOST_PARTS && leaves.has_stretch(leaf);
+                let crate::leaf::Leaf { inverted, rank, .. } = leaves.leaves[leaf as usize];
+                let part = Part { leaf, level, member, inverted, silent, holds: false, bars: false, rank };
+                self.parts.push(part);
+                room.then_some(())
+            }
+        }
+    }
+
+    /// Under nothing but intersections nothing counts outside a part.
+    fn mark_limits(&mut self) {
+        let mut limits = [false; MOST_LEVELS];
+        for (i, level) in self.levels.iter().enumerate() {
+            limits[i] = level.op == Op::Intersection && level.parent.is_none_or(|p| limits[usize::from(p)]);
+        }
+        for part in &mut self.parts {
+            let limiting = limits[usize::from(part.level)];
+            (part.holds, part.bars) = (limiting && !part.inverted, limiting && part.inverted);
+        }
+    }
+
+    /// The nearest hit; `None` where the sweep cannot tell.
+    #[inline]
+    pub(crate) fn closest(&self, tree: &Tree, ray: &Ray, range: (f64, f64)) -> Option<Option<Hit>> {
+        let mut best = None;
+        self.sweep(tree, ray, range, |hit| {
+            best = Some(hit);
+            false
+        })?;
+        Some(best)
+    }
+
+    /// Calls `found` with the hits, the nearest first, for as long as it answers true. `None` where the sweep cannot
+    /// tell: what was found so far is void.
+    pub(crate) fn sweep(
+        &self,
+        tree: &Tree,
+        ray: &Ray,
+        range: (f64, f64),
+        mut found: impl FnMut(Hit) -> bool,
+    ) -> Option<()> {
+        let mut walk = Walk { solid: self, counts: self.outside, contains: 0 };
+        let mut ends: SmallVec<[End; 24]> = SmallVec::new();
+        if !walk.start(tree, ray, range, &mut ends)? {
+            return Some(());
+        }
+        ends.sort_unstable_by(|a, b| a.t.total_cmp(&b.t));
+        let mut i = 0;
+        while i < ends.len() && ends[i].t < range.1 {
+            let mut next = i + 1;
+            while next < ends.len() && ends[next].t - ends[next - 1].t <= CLOSE * (1.0 + ends[next].t) {
+                next += 1;
+            }
+            let alone = next == i + 1;
+            if !alone {
+                let rank = |end: &End| self.parts[end.part as usize].rank;
+                ends[i..next]
+                    .sort_unstable_by(|a, b| a.t.total_cmp(&b.t).then_with(|| rank(b).cmp(&rank(a))));
+            }
+            for end in &ends[i..next] {
+                let part = &self.parts[end.part as usize];
+                let counts = match alone {
+                    true => walk.lets_count(end.part as usize),
+                    false => self.point_counts(tree, part, ray, end.t),
+                };
+                if counts && !part.silent && end.t < range.1 && !found(self.hit(tree, part, ray, end.t)?) {
+                    return Some(());
+                }
+            }
+            ends[i..next].iter().for_each(|end| walk.turn(end.part as usize));
+            i = next;
+        }
+        Some(())
+    }
+
+    /// The hit of a leaf at a distance where it has one.
+    fn hit(&self, tree: &Tree, part: &Part, ray: &Ray, t: f64) -> Option<Hit> {
+        let around = AROUND * (1.0 + t);
+        tree.leaves.closest(part.leaf, ray, (t - around, t + around), &|_| false)
+    }
+
+    /// Asks the groups around a leaf whether they let a point of its surface count.
+    fn point_counts(&self, tree: &Tree, part: &Part, ray: &Ray, t: f64) -> bool {
+        let p = ray.at(t);
+        let (mut member, mut level) = (part.member, &self.levels[usize::from(part.level)]);
+        loop {
+            if let Some(group) = level.group
+                && !tree.counts(&tree.groups[group as usize], member, p)
+            {
+                return false;
+            }
+            member = level.member;
+            let Some(parent) = level.parent else { return true };
+            level = &self.levels[usize::from(parent)];
+        }
+    }
+}
+
+impl Walk<'_> {
+    /// Finds the ends of stretches within the range, as far as they can matter, and what contains the ray before the
+    /// first of them. False where nothing can count.
+    #[inline]
+    fn start(
+        &mut self,
+        tree: &Tree,
+        ray: &Ray,
+        range: (f64, f64),
+        ends: &mut SmallVec<[End; 24]>,
+    ) -> Option<bool> {
+        let (mut from, mut to) = range;
+        for (i, part) in self.solid.parts.iter().enumerate() {
+            let Stretch { enter, leave, beyond } = tree.leaves.stretch(part.leaf, ray)?;
+            if part.holds && !beyond {
+                if leave <= from || enter >= to {
+                    return Some(false);
+                }
+                let (first, last) =
+                    (enter - CLOSE * (1.0 + enter.abs()), leave + CLOSE * (1.0 + leave.abs()));
+                (from, to) = (from.max(first), to.min(last));
+            }
+            if part.bars && !beyond && enter < from && leave > to {
+                return Some(false);
+            }
+            if (enter <= from && from < leave) != beyond {
+                self.turn(i);
+            }
+            for t in [enter, leave] {
+                if t > from && t <= to {
+                    ends.push(End { t, part: i as u32 });
+                }
+            }
+        }
+        Some(!ends.is_empty())
+    }
+
+    /// The ray enters or leaves the body of a part.
+    #[inline]
+    fn turn(&mut self, part: usize) {
+        self.contains ^= 1 << part;
+        let Part { level, inverted, .. } = self.solid.parts[part];
+        self.change(level, (self.contains >> part & 1 == 1) != inverted);
+    }
+
+    /// A member of a level begins to contain the ray, or no longer does.
+    #[inline]
+    fn change(&mut self, level: u8, mut contains: bool) {
+        let mut at = usize::from(level);
+        loop {
+            let level = &self.solid.levels[at];
+            let count = self.counts[at];
+            self.counts[at] = if contains { count.wrapping_add(1) } else { count.wrapping_sub(1) };
+            let now = level.is_inside(self.counts[at]);
+            if now == level.is_inside(count) {
+                return;
+            }
+            contains = now;
+            let Some(parent) = level.parent else { return };
+            at = usize::from(parent);
+        }
+    }
+
+    /// Do the groups around a part let its hit here count?
+    #[inline]
+    fn lets_count(&self, part: usize) -> bool {
+        let Part { level, inverted, .. } = self.solid.parts[part];
+        let mut own = (self.contains >> part & 1 == 1) != inverted;
+        let mut at = usize::from(level);
+        loop {
+            let level = &self.solid.levels[at];
+            let count = self.counts[at];
+            if !level.lets_count(count.wrapping_sub(u8::from(own))) {
+                return false;
+            }
+            own = level.is_inside(count);
+            let Some(parent) = level.parent else { return true };
+            at = usize::from(parent);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,3 @@
+// Tori.
+#include "stage.inc"
+Crowd(torus { 0.8, 0.3 })
