@@ -18,7 +18,7 @@ struct Octaves {
 }
 
 /// How many octaves are made at once.
-const AT_ONCE: usize = 8;
+pub const AT_ONCE: usize = 8;
 
 impl Octaves {
     /// Of the generator that the last parameter names.

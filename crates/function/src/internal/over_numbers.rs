@@ -11,6 +11,7 @@ mod point;
 pub(super) mod polynomials;
 
 use crate::builtin::{maximum, minimum};
+use fractals::AT_ONCE;
 
 use super::generator_number;
 
@@ -25,9 +26,11 @@ pub(super) fn power(v: N, exponent: f64) -> N {
     v.powf(exponent)
 }
 
-/// The noise of several octaves: at the point times a scale, times `lambda` more for each that follows.
+/// The noise of several octaves, [`AT_ONCE`] at most: at the point times a scale, times `lambda` more for each that follows.
 pub(super) fn noises(generator: u8, [x, y, z]: [N; 3], scale: f64, lambda: f64, out: &mut [N]) {
-    raggio_math::noise::octaves(generator, raggio_math::Vec3::new(x, y, z), scale, lambda, out);
+    let made: [f64; AT_ONCE] =
+        raggio_math::noise::octaves(generator, raggio_math::Vec3::new(x, y, z), scale, lambda);
+    out.iter_mut().zip(made).for_each(|(out, made)| *out = made);
 }
 
 /// Within -10 and 10; not-a-number gives -10.

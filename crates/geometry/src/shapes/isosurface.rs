@@ -193,7 +193,7 @@ mod tests {
             container: Container::Box { min: Vec3::splat(-1.0), max: Vec3::splat(1.0) },
             threshold: 0.8,
             accuracy: 0.001,
-            max_gradient: 3.0,
+            max_gradient: 8.0,
             evaluate: None,
             max_trace: 4,
             open: false,

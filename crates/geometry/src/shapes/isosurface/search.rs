@@ -90,7 +90,13 @@ impl Search<'_> {
         if ends.is_some_and(|(a, b)| a.value.lo >= 0.0 && b.value.lo >= 0.0) {
             return None;
         }
-        let Some(((a, b), slope)) = ends.zip(self.telling_slope(model)) else {
+        let slope = model.along(self.ray.dir * self.sign);
+        if let Some((a, b)) = ends.filter(|_| slope.hi <= 0.0) {
+            let before = self.postponed(grid, progress);
+            (progress.done, progress.unknown_from) = (last, last);
+            return before.or_else(|| self.falling(grid, a, b, slope));
+        }
+        let Some(((a, b), slope)) = ends.zip(self.telling(slope)) else {
             if progress.done + 1 < first || progress.unknown_from >= progress.done {
                 if let Some(found) = self.postponed(grid, progress) {
                     return Some(found);
@@ -104,7 +110,7 @@ impl Search<'_> {
             return Some(found);
         }
         (progress.done, progress.unknown_from) = (last, last);
-        if slope.hi <= 0.0 { self.falling(grid, a, b, slope) } else { self.bent(grid, a, b, slope) }
+        self.bent(grid, a, b, slope)
     }
 
     /// Searches what was postponed.
@@ -130,11 +136,11 @@ impl Search<'_> {
         Known { index, t, value: Range { lo: middle - off, hi: middle + off } }
     }
 
-    /// The slopes in a box along the ray, if they tell more than the maximal gradient.
+    /// Slopes along the ray, if they tell more than the maximal gradient.
     #[inline]
-    fn telling_slope(&self, model: &Model) -> Option<Range> {
+    fn telling(&self, slope: Range) -> Option<Range> {
         let most = self.gradient * self.stretch;
-        let slope = model.along(self.ray.dir * self.sign).meet(Range::within(most));
+        let slope = slope.meet(Range::within(most));
         (slope.width() < TELLING * 2.0 * most).then_some(slope)
     }
 
