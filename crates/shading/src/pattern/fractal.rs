@@ -87,7 +87,6 @@ struct Orbit {
 pub(super) fn value(settings: &FractalSettings, p: Vec3) -> f64 {
     let here = Complex::new(p.x, p.y);
     let c = settings.julia.map_or(here, |c| Complex::new(c.x, c.y));
-    let magnet_start = if settings.julia.is_some() { here } else { Complex::ZERO };
     let n = settings.iterations;
     if settings.kind == FractalKind::Power(2)
         && settings.julia.is_none()
@@ -103,12 +102,26 @@ pub(super) fn value(settings: &FractalSettings, p: Vec3) -> f64 {
         }
         FractalKind::Power(2) => power_orbit(here, c, n, |z| z * z + c, Complex::norm),
         FractalKind::Power(e) => power_orbit(here, c, n, |z| z.power(e) + c, Complex::norm),
-        FractalKind::Magnet1 => magnet_orbit(magnet_start, n, |z| magnet1(z, c)),
-        FractalKind::Magnet2 => magnet_orbit(magnet_start, n, |z| magnet2(z, c)),
+        FractalKind::Magnet1 | FractalKind::Magnet2 => {
+            let [orbit] = magnet_orbits(settings, &[p]);
+            orbit
+        }
     };
+    of_orbit(settings, &orbit)
+}
+
+/// The values at four points.
+pub(super) fn values(settings: &FractalSettings, points: &[Vec3; 4]) -> [f64; 4] {
+    match settings.kind {
+        FractalKind::Power(_) => points.map(|p| value(settings, p)),
+        _ => magnet_orbits(settings, points).map(|orbit| of_orbit(settings, &orbit)),
+    }
+}
+
+fn of_orbit(settings: &FractalSettings, orbit: &Orbit) -> f64 {
     match orbit.escape {
         Some(column) => exterior(settings, orbit.z, column),
-        None => interior(settings, &orbit),
+        None => interior(settings, orbit),
     }
 }
 
@@ -136,10 +149,43 @@ fn power_orbit(
     iterate(orbit, n, steps, next, stop, distance)
 }
 
+fn magnet_orbits<const N: usize>(settings: &FractalSettings, points: &[Vec3; N]) -> [Orbit; N] {
+    match settings.kind {
+        FractalKind::Magnet2 => together(settings, points, magnet2),
+        _ => together(settings, points, magnet1),
+    }
+}
+
+/// Follows several orbits side by side: a step is a long chain of waiting, and chains do not wait for each other.
 #[inline]
-fn magnet_orbit(start: Complex, n: u32, next: impl Fn(Complex) -> Complex) -> Orbit {
-    let stop = |z: Complex| z.norm() > 10000.0 || (z - Complex::real(1.0)).norm() < 0.0001;
-    iterate(Orbit { z: start, closest: 10000.0, escape: None }, n, 1, next, stop, Complex::norm)
+fn together<const N: usize>(
+    settings: &FractalSettings,
+    points: &[Vec3; N],
+    next: impl Fn(Complex, Complex) -> Complex,
+) -> [Orbit; N] {
+    let here = points.map(|p| Complex::new(p.x, p.y));
+    let c = settings.julia.map_or(here, |c| [Complex::new(c.x, c.y); N]);
+    let start = if settings.julia.is_some() { here } else { [Complex::ZERO; N] };
+    let mut orbits = start.map(|z| Orbit { z, closest: 10000.0, escape: None });
+    let mut left = N;
+    for column in 0..settings.iterations {
+        for (orbit, &c) in orbits.iter_mut().zip(&c) {
+            if orbit.escape.is_some() {
+                continue;
+            }
+            orbit.z = next(orbit.z, c);
+            let norm = orbit.z.norm();
+            orbit.closest = nearer(orbit.closest, norm);
+            if norm > 10000.0 || (orbit.z - Complex::real(1.0)).norm() < 0.0001 {
+                orbit.escape = Some(column);
+                left -= 1;
+            }
+        }
+        if left == 0 {
+            break;
+        }
+    }
+    orbits
 }
 
 /// Follows an orbit until it escapes, has made all its steps, or comes back to where it was. Where what has escaped
@@ -294,5 +340,25 @@ mod tests {
             }
         }
         assert!(stayed > 50, "{stayed}");
+    }
+
+    #[test]
+    fn four_points_together_have_the_values_of_each() {
+        for kind in [FractalKind::Magnet1, FractalKind::Magnet2, FractalKind::Power(3)] {
+            let settings = FractalSettings {
+                kind,
+                julia: None,
+                iterations: 30,
+                exterior_type: 6,
+                exterior_factor: 0.5,
+                interior_type: 1,
+                interior_factor: 0.7,
+            };
+            for i in 0..200 {
+                let p = Vec3::new(f64::from(i) * 0.017 - 1.5, f64::from(i % 7) * 0.3 - 1.0, 0.0);
+                let points = [p, -p, 2.0 * p, p + 0.1];
+                assert_eq!(values(&settings, &points), points.map(|p| value(&settings, p)), "{kind:?} {p}");
+            }
+        }
     }
 }

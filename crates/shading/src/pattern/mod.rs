@@ -160,6 +160,7 @@ impl Pattern {
         let mut values = [0.0; 4];
         match &self.kind {
             Kind::Bozo { noise } => values = noise4(*noise, points),
+            Kind::Fractal(settings) => values = fractal::values(settings, points),
             kind => {
                 for (value, p) in values.iter_mut().zip(points) {
                     *value = kind.value(*p, context);
