@@ -13,7 +13,7 @@ mod turbulence;
 mod values;
 mod waves;
 
-pub use lattice::dnoise;
+pub use lattice::{corners, dnoise};
 pub use random::{hash3, random, random3};
 pub use turbulence::{dturbulence, turbulence};
 pub use waves::{WaveSource, wave_sources};
@@ -53,14 +53,21 @@ const GROUPS: usize = MOST_OCTAVES.div_ceil(LANES);
 #[inline]
 pub fn octaves<const N: usize>(generator: u8, p: Vec3, scale: f64, lambda: f64) -> [f64; N] {
     let groups = octave_groups(generator, Octaves { p, scale, lambda, count: N });
-    std::array::from_fn(|i| groups[i / LANES][i % LANES])
+    let mut out = [0.0; N];
+    out.copy_from_slice(&groups.as_flattened()[..N]);
+    out
 }
 
 /// Vector noise of several octaves; compare [`octaves`].
 #[inline]
 pub fn doctaves<const N: usize>(p: Vec3, scale: f64, lambda: f64) -> [Vec3; N] {
     let groups = vector_groups(Octaves { p, scale, lambda, count: N });
-    std::array::from_fn(|i| Vec3::from(groups[i / LANES].map(|channel| channel[i % LANES])))
+    let mut out = [Vec3::ZERO; N];
+    for (i, out) in out.iter_mut().enumerate() {
+        let [x, y, z] = &groups[i / LANES];
+        *out = Vec3::new(x[i % LANES], y[i % LANES], z[i % LANES]);
+    }
+    out
 }
 
 #[inline]

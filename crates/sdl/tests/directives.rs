@@ -146,6 +146,7 @@ fn arrays() {
     says("#declare A = array[2]{\"a\" \"b\"} #debug A[1]", "b");
     says("#declare A = array[1]{rgb 1} Say(A[0].red)", "1");
     says("#declare A = array[2]{x,y} Say(A[1].y)", "1");
+    says("#declare A = array mixed [2]{1,<3,4,5>} #declare A[0]=\"s\"; Say(A[1].y) #debug A[0]", "4 s");
     fails("#declare A = array[2]{1}", "array-items");
     fails("#declare A = array[2]{1,2,3}", "array-items");
     fails("#declare A = array[2]{1,x}", "array-type");

@@ -142,6 +142,7 @@ fn strings_print_numbers_as_c_does() {
 fn string_functions() {
     assert_eq!(debug(r#"#debug concat("a", str(1,0,0), chr(66), strupr("c"), strlwr("D"))"#), "a1BCd");
     assert_eq!(debug(r#"#debug substr("hello", 2, 3)"#), "ell");
+    assert_eq!(debug(r#"#debug concat(substr("hello", 0, 6), "!")"#), "!");
     gives(r#"strcmp("abc", "abd")"#, -1.0);
     gives(r#"strcmp("b", "abc")"#, 1.0);
     gives(r#"strcmp("ab", "ab")"#, 0.0);

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use common::{debug, run};
 use raggio_math::Vec3;
 use raggio_scene::{
-    AreaLight, Csg, Light, LightKind, Object, ObjectKind, Placed, Scene, Shape, SplineKind, Texture,
+    AreaLight, Csg, Light, LightKind, Object, ObjectKind, Placed, Rgb, Scene, Shape, SplineKind, Texture,
     TextureKind,
 };
 
@@ -66,7 +66,6 @@ fn simple_shapes_keep_their_numbers() {
 fn degenerate_shapes_are_refused_or_never_hit() {
     assert_eq!(run("cylinder { 0, 0, 1 }").error(), "degenerate-cylinder");
     assert_eq!(run("plane { 0, 1 }").error(), "degenerate-plane");
-    assert_eq!(run("sphere { 0, 0*(1/0) }").error(), "not-finite");
     assert!(run("sphere { 0, 1/0 }").warned("not-finite"));
     assert_eq!(run("julia_fractal { 0 quaternion sin }").error(), "bad-julia");
     assert_eq!(run("lathe { 3, <1,0>, <-1,1>, <1,2> }").error(), "bad-lathe");
@@ -96,7 +95,7 @@ fn curves_check_their_points() {
     assert!(run("prism { 0, 1, 3, <0,0>, <1,0>, <0,1> }").warned("open-prism"));
     let open = "prism { cubic_spline 0, 1, 6, <0,0>, <1,0>, <0,1>, <2,2>, <3,1>, <0,4> }";
     assert!(matches!(&object(open).kind, ObjectKind::Csg { children, .. } if children.is_empty()));
-    let sweep = shape("sphere_sweep { linear_spline 2, 0, 1, x, 2 tolerance 0.1 }");
+    let sweep = shape("sphere_sweep { linear_spline, 2, 0, 1, x, 2 tolerance 0.1 }");
     assert!(matches!(&*sweep, Shape::SphereSweep { tolerance: 0.1, spheres, .. } if spheres.len() == 2));
 }
 
@@ -189,6 +188,26 @@ fn clips_take_solids_without_textures() {
 }
 
 #[test]
+fn objects_without_a_place_are_left_out() {
+    for lost in [
+        "sphere { 0, 0*(1/0) }",
+        "sphere { 0, 1 translate x/0 }",
+        "object { sphere { 0, 1 } rotate 0*(1/0) sturm }",
+    ] {
+        assert!(run(lost).warned("not-finite"), "{lost}");
+        assert!(
+            matches!(&object(lost).kind, ObjectKind::Csg { children, .. } if children.is_empty()),
+            "{lost}"
+        );
+    }
+    let rest = object("union { sphere { 0, 1 } sphere { 0*(1/0), 1 } translate x }");
+    assert!(matches!(&rest.kind, ObjectKind::Csg { children, .. } if children.len() == 2));
+    assert_eq!(rest.parent_from_object.translation, Vec3::X);
+    assert_eq!(run("light_source { 0*(1/0), 1 }").error(), "not-finite");
+    assert_eq!(run("sphere { 0, 1 pigment { rgb 1 translate x/0 } }").error(), "not-finite");
+}
+
+#[test]
 fn lights_have_the_defaults_of_their_kind() {
     let spot = light("light_source { y, rgb 2 spotlight radius 10 point_at x translate z }");
     assert_eq!(spot.kind, LightKind::Spot { radius: 10.0, falloff: 45.0, tightness: 0.0 });
@@ -213,6 +232,8 @@ fn lights_have_the_defaults_of_their_kind() {
     };
     assert_eq!(area, Some(expected));
     assert_eq!(run("light_source { y, 1 radius 3 spotlight }").error(), "misplaced-word");
+    assert!(run("light_source { y translate x }").warned("missing-color"));
+    assert_eq!(light("light_source { y parallel }").color, Rgb::ZERO);
     let looks = light("light_source { y, 1 looks_like { sphere { 0, 1 } } translate x }").looks_like.clone();
     let looks = looks.expect("an object");
     assert!(looks.no_shadow);
@@ -293,5 +314,4 @@ fn splines_that_do_not_fit_together_are_refused() {
         assert_eq!(run(&format!("nurbs_patch {{ {bad} }}")).error(), "bad-nurbs", "{bad}");
     }
     assert_eq!(run("nurbs_patch { u_degree 2 }").error(), "expected");
-    assert_eq!(run("nurbs_patch { points { 2, 2, 0*(1/0) } }").error(), "not-finite");
 }

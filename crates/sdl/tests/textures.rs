@@ -154,6 +154,9 @@ fn old_words_of_finishes_reach_the_interior() {
     let interior = &o.interior.as_ref().expect("an interior").item;
     assert_eq!((interior.ior, interior.old_refraction), (1.5, 0.5));
     assert!(run("sphere { 0, 1 phong 0.5 pigment { rgb 1 } }").warned("loose-finish"));
+    let old = "#version 2.0 sphere { 0, 1 texture { pigment { color red 1 } 0.25 } }";
+    assert!(run(old).warned("loose-crand"));
+    assert_eq!(run(&old.replace("2.0", "3.0;")).error(), "unexpected");
 }
 
 #[test]

@@ -87,6 +87,24 @@ impl Collect for Counted<'_> {
     }
 }
 
+/// Hands on hits whose distances count from a start along the ray.
+pub(crate) struct Offset<'a, C> {
+    pub(crate) start: f64,
+    pub(crate) to: &'a mut C,
+}
+
+impl<C: Collect> Collect for Offset<'_, C> {
+    #[inline]
+    fn range(&self) -> (f64, f64) {
+        let range = self.to.range();
+        (range.0 - self.start, range.1 - self.start)
+    }
+    #[inline]
+    fn push(&mut self, hit: LocalHit) {
+        self.to.push(LocalHit { t: hit.t + self.start, ..hit });
+    }
+}
+
 /// Writes `hits`, `closest` and `closest_counted` of a [`crate::Surface`] for a shape with `fn search(&self, &Ray, &mut impl Collect)`.
 /// The number is the least distance at which the shape reports a hit.
 macro_rules! searched_from {

@@ -180,9 +180,10 @@ impl Surface for Cone {
         few.pop_nearest()
     }
 
-    /// A hair more than the closed solid, a hair less than the open one.
+    /// A hair less than the solid if it has caps, a hair more if it is open: the rim of an open cone belongs to it, so what
+    /// it cuts has no skin left where its end lies in the other's surface.
     fn inside(&self, p: Vec3) -> bool {
-        let tolerance = if self.open { -EPS } else { EPS };
+        let tolerance = if self.open { EPS } else { -EPS };
         let (h, offset) = self.split(p - self.base);
         let along = h / self.length;
         if !(along >= -tolerance && along <= 1.0 + tolerance) {

@@ -7,7 +7,7 @@
 use raggio_math::{Aabb, EPS, Ray, Vec3};
 use smallvec::SmallVec;
 
-use super::collect::{Collect, searched_from};
+use super::collect::{Collect, Offset, searched_from};
 use crate::{LocalHit, Surface};
 
 const LEAST: f64 = 1e-4;
@@ -93,11 +93,14 @@ impl Superellipsoid {
         (t, f - 1.0, slope)
     }
 
+    /// Distances count from where the ray comes to the cube: far origins lose no digits, of which flattened ones have few.
     fn search(&self, ray: &Ray, to: &mut impl Collect) {
         let cube = Aabb::new(Vec3::splat(-REACH), Vec3::splat(REACH));
         let Some((near, far)) = cube.hit(ray) else { return };
+        let to = &mut Offset { start: near, to };
+        let ray = &Ray { origin: ray.at(near), ..*ray };
         let range = to.range();
-        let (lo, hi) = (near.max(range.0), far.min(range.1));
+        let (lo, hi) = (range.0.max(0.0), range.1.min(far - near));
         if lo.is_nan() || hi.is_nan() || lo >= hi {
             return;
         }

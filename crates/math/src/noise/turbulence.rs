@@ -31,7 +31,9 @@ pub fn dturbulence(p: Vec3, octaves: u32, omega: f32, lambda: f32) -> Vec3 {
     let groups = vector_groups(octaves);
     let (mut sum, mut weight) = (Vec3::ZERO, 1.0);
     for i in 0..octaves.count {
-        sum += Vec3::from(groups[i / LANES].map(|channel| channel[i % LANES])) * weight;
+        let [x, y, z] = &groups[i / LANES];
+        let lane = i % LANES;
+        sum += Vec3::new(x[lane], y[lane], z[lane]) * weight;
         weight *= f64::from(omega);
     }
     sum

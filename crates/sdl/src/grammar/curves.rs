@@ -85,6 +85,7 @@ pub fn sphere_sweep(p: &mut Parser) -> Result<Object> {
             _ => return p.expected("`linear_spline`, `cubic_spline` or `b_spline`"),
         };
         p.next()?;
+        p.comma()?;
         let n = p.int("number of spheres", 0..=MOST_POINTS)?;
         if n < if kind == SplineKind::Linear { 2 } else { 4 } {
             return p.error("bad-sweep", "too few modeling spheres for this kind of spline", span);

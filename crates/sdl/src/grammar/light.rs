@@ -54,14 +54,19 @@ fn head(p: &mut Parser) -> Result<Object> {
     Ok(Object::new(ObjectKind::Light(Arc::new(Light::new(location, light_color(p)?)))))
 }
 
-/// A colour, or the sum of a colour map weighted by its positions.
+/// A colour, or the sum of a colour map weighted by its positions, or nothing, which makes a black light.
 fn light_color(p: &mut Parser) -> Result<Rgb> {
     if matches!(word(p)?, Some(Kw::Color_map | Kw::Colour_map)) {
         p.next()?;
         let map = maps::color_map(p)?;
         return Ok(map.iter().map(|(position, color)| color.rgb * *position).sum());
     }
-    rgb(p)
+    match p.peek()? {
+        Tok::Kw(_) | Tok::Punct('}') if !at_color(p)? && !p.at_expression()? => {
+            Ok(p.missing_color(Rgb::ZERO))
+        }
+        _ => rgb(p),
+    }
 }
 
 fn item(p: &mut Parser, object: &mut Object, draft: &mut Draft) -> Result<bool> {

@@ -22,6 +22,7 @@ mod isosurface;
 mod julia;
 mod kern;
 mod light;
+mod loose;
 mod maps;
 mod media;
 mod mesh;

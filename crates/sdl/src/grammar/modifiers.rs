@@ -11,7 +11,7 @@ use crate::value::{Kind, Material};
 
 /// One modifier of an object.
 pub fn modifier(p: &mut Parser, object: &mut Object) -> Result<bool> {
-    if let Some(t) = p.accept_transform()? {
+    if let Some(t) = p.allowing_undefined(Parser::accept_transform)? {
         match &mut object.kind {
             ObjectKind::Light(light) => Arc::make_mut(light).transform(&t),
             _ => object.transform(&t),

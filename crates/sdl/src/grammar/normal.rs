@@ -79,6 +79,7 @@ impl Draft {
         let (amount, accuracy, no_bump_scale, uv) = (self.amount, self.accuracy, self.no_bump_scale, self.uv);
         let wrap = |kind| Arc::new(Normal { kind, amount, accuracy, no_bump_scale });
         let Some(kind) = self.finished_kind(p)? else { return Ok(None) };
+        let uv = uv && !matches!(kind, NormalKind::Uv(_));
         Ok(Some(if uv { wrap(NormalKind::Uv(wrap(kind))) } else { wrap(kind) }))
     }
 
@@ -141,7 +142,7 @@ pub fn item(p: &mut Parser, draft: &mut Draft) -> Result<bool> {
     match p.peek()? {
         Tok::Value(Kind::Normal) => {
             let base = take!(p, Normal);
-            *draft = Draft::new(Some(&base));
+            *draft = Draft { uv: draft.uv, ..Draft::new(Some(&base)) };
             return Ok(true);
         }
         Tok::Kw(word) if own_word(p, draft, word)? => return Ok(true),

@@ -20,7 +20,8 @@ pub fn any(p: &mut Parser) -> Result<Option<Object>> {
     let Some(name) = word(p)? else { return Ok(None) };
     let Some(read) = reader(name) else { return Ok(None) };
     p.next()?;
-    read(p).map(Some)
+    let (object, undefined) = p.noting_undefined(read)?;
+    Ok(Some(if undefined { nothing() } else { object }))
 }
 
 /// The same, or an object's identifier that stands alone.
@@ -91,7 +92,7 @@ pub fn build(p: &mut Parser, what: &str, head: impl FnOnce(&mut Parser) -> Resul
         object = match p.peek()? {
             Tok::Value(Kind::Object) => Some(Arc::unwrap_or_clone(take!(p, Object))),
             _ => match head.take() {
-                Some(head) => Some(head(p)?),
+                Some(head) => Some(p.allowing_undefined(head)?),
                 None => return Ok(false),
             },
         };

@@ -15,7 +15,8 @@ pub struct Draft {
     pub kind: Option<PatternKind>,
     /// What acts on the point, first to act first.
     pub warps: Vec<Warp>,
-    wave: Wave,
+    /// What the values of the formula become.
+    pub wave: Wave,
     frequency: f32,
     phase: f32,
     noise_generator: u8,

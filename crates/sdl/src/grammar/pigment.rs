@@ -2,7 +2,9 @@
 use std::sync::Arc;
 
 use raggio_math::Affine;
-use raggio_scene::{Color, ColorMap, Density, ImageMap, Map, Pattern, PatternKind, Pigment, PigmentKind};
+use raggio_scene::{
+    Color, ColorMap, Density, ImageMap, Map, Pattern, PatternKind, Pigment, PigmentKind, Wave,
+};
 
 use super::image::{self, Usage};
 use super::util::{at_color, color, take, until, word};
@@ -58,10 +60,16 @@ impl Draft {
         Draft { flavour, pattern, fill, quick_color: base.quick_color, uv: false }
     }
 
+    /// Values run up and jump back, whatever the pattern's custom is.
+    pub fn use_ramp(&mut self) {
+        self.pattern.wave = Wave::Ramp;
+    }
+
     /// The finished pigment.
     pub fn finish(self, p: &mut Parser) -> Result<Arc<Pigment>> {
         let (uv, quick_color) = (self.uv, self.quick_color);
         let kind = self.finished_kind(p)?;
+        let uv = uv && !matches!(kind, PigmentKind::Uv(_));
         let pigment = Arc::new(Pigment { kind, quick_color });
         Ok(if uv { Arc::new(Pigment { kind: PigmentKind::Uv(pigment), quick_color }) } else { pigment })
     }
@@ -126,7 +134,7 @@ pub fn item(p: &mut Parser, draft: &mut Draft) -> Result<bool> {
     match p.peek()? {
         Tok::Value(Kind::Pigment) if draft.flavour == Flavour::Pigment => {
             let base = take!(p, Pigment);
-            *draft = Draft::new(&base, draft.flavour);
+            *draft = Draft { uv: draft.uv, ..Draft::new(&base, draft.flavour) };
             return Ok(true);
         }
         Tok::Value(Kind::Density) if draft.flavour == Flavour::Density => {

@@ -7,8 +7,8 @@ use raggio_scene::{
 };
 
 use super::image::{self, Usage};
-use super::util::{at_color, set_flag, take, until, word};
-use super::{finish, maps, normal, pattern, pattern_kind, pigment, warp};
+use super::util::{set_flag, take, until, word};
+use super::{finish, loose, maps, normal, pattern, pattern_kind, pigment, warp};
 use crate::keyword::Kw;
 use crate::parser::{Parser, Result, Tok};
 use crate::value::{Kind, Value};
@@ -151,9 +151,9 @@ fn item(p: &mut Parser, draft: &mut Draft) -> Result<bool> {
             top_layer(p, &mut draft.texture)?.finish = *finish;
             Ok(true)
         }
-        Tok::Value(Kind::Color) => loose_item(p, draft),
+        Tok::Value(Kind::Color) => loose::items(p, &mut draft.texture),
         Tok::Kw(word) => keyword(p, draft, word),
-        _ => Ok(false),
+        _ => loose::crand(p, &mut draft.texture),
     }
 }
 
@@ -171,14 +171,16 @@ fn keyword(p: &mut Parser, draft: &mut Draft, word: Kw) -> Result<bool> {
             draft.texture = material_map(p)?;
             Ok(true)
         }
-        _ if p.settings.version.language < 150 => loose_item(p, draft),
+        _ if p.settings.version.language < 150 => loose::items(p, &mut draft.texture),
         _ => {
             let mut map = None;
             let mut list = |p: &mut Parser, size: usize| {
                 map = list_items(p, size)?;
                 Ok(map.is_some())
             };
-            let Some(kind) = pattern_kind::kind(p, &mut list)? else { return loose_item(p, draft) };
+            let Some(kind) = pattern_kind::kind(p, &mut list)? else {
+                return loose::items(p, &mut draft.texture);
+            };
             let mut pattern = pattern::Draft::default();
             pattern.set_kind(kind);
             (draft.pattern, draft.map) = (Some(pattern), map.map(Arc::new));
@@ -224,43 +226,6 @@ pub fn top_layer<'t>(p: &mut Parser, texture: &'t mut Texture) -> Result<&'t mut
         "patterned-texture",
         "a patterned texture has no pigment, normal or finish of its own to change",
         span,
-    )
-}
-
-/// Words of pigments, normals and finishes that stand directly in the texture, as they did before version 1.5.
-fn loose_item(p: &mut Parser, draft: &mut Draft) -> Result<bool> {
-    let span = p.span();
-    let layer = top_layer(p, &mut draft.texture)?;
-    let mut new_finish = finish::Draft::new(layer.finish);
-    if finish::item(p, &mut new_finish)? {
-        layer.finish = new_finish.finish();
-        p.warn("loose-finish", "this word belongs in a `finish` block", span);
-        return Ok(true);
-    }
-    let old = p.settings.version.language < 150;
-    if old && is_old_normal(word(p)?) {
-        let mut new_normal = normal::Draft::new(layer.normal.as_deref());
-        normal::item(p, &mut new_normal)?;
-        layer.normal = new_normal.finish(p)?;
-        p.warn("loose-normal", "this word belongs in a `normal` block", span);
-        return Ok(true);
-    }
-    if !old && !at_color(p)? {
-        return Ok(false);
-    }
-    let mut new_pigment = pigment::Draft::new(&layer.pigment, pigment::Flavour::Pigment);
-    if !pigment::item(p, &mut new_pigment)? {
-        return Ok(false);
-    }
-    layer.pigment = new_pigment.finish(p)?;
-    p.warn("loose-pigment", "this word belongs in a `pigment` block", span);
-    Ok(true)
-}
-
-fn is_old_normal(word: Option<Kw>) -> bool {
-    matches!(
-        word,
-        Some(Kw::Bumps | Kw::Dents | Kw::Ripples | Kw::Waves | Kw::Wrinkles | Kw::Bump_map | Kw::Bump_size)
     )
 }
 

@@ -20,15 +20,17 @@ pub(super) use take;
 /// Stands for infinity, which divisions by zero give: farther away than anything that is looked at.
 const FAR: f64 = 1e12;
 
-/// Numbers that an engine can work with: what is infinite becomes far away, and what is no number at all is an error.
+/// Numbers that an engine can work with: what is infinite becomes far away. What is no number at all stays only in objects
+/// that are left out for it, and is an error elsewhere.
 fn tame<const N: usize>(p: &mut Parser, mut values: [f64; N]) -> Result<[f64; N]> {
     if values.iter().all(|v| v.is_finite()) {
         return Ok(values);
     }
-    let span = p.span();
     if values.iter().any(|v| v.is_nan()) {
-        return p.error("not-finite", "what stands before here is not a number", span);
+        p.met_undefined("not a number")?;
+        return Ok(values);
     }
+    let span = p.span();
     p.warn("not-finite", "what stands before here is infinite, from a division by zero; 1e12 is taken", span);
     values.iter_mut().filter(|v| v.is_infinite()).for_each(|v| *v = FAR.copysign(*v));
     Ok(values)

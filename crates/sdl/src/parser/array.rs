@@ -2,16 +2,18 @@
 use raggio_diag::Span;
 use smallvec::SmallVec;
 
-use super::{Parser, Result};
+use super::{Parser, Result, Tok};
 use crate::value::{Kind, Value};
 
-/// An array: every item of one kind, some perhaps not given yet.
+/// An array: every item of one kind unless it is mixed, some perhaps not given yet.
 #[derive(Clone, Debug)]
 pub struct Array {
     /// Items a dimension, 1 to 5 of them.
     pub dims: SmallVec<[u32; 2]>,
     /// Kind of the items, and how many components vectors have, once there is an item.
     pub kind: Option<(Kind, u8)>,
+    /// `array mixed` (version 3.8): items of any kinds.
+    pub mixed: bool,
     /// The items, last dimension fastest.
     pub items: Vec<Option<Value>>,
 }
@@ -24,7 +26,7 @@ const MAX_DIMENSIONS: usize = 5;
 impl Array {
     /// May `value` be an item?
     pub fn takes(&self, value: &Value) -> bool {
-        self.kind.is_none_or(|kind| kind == item_kind(value))
+        self.mixed || self.kind.is_none_or(|kind| kind == item_kind(value))
     }
 
     /// Gives an item; the first one settles the kind of all.
@@ -40,9 +42,13 @@ fn item_kind(value: &Value) -> (Kind, u8) {
 }
 
 impl Parser<'_> {
-    /// `array[n]... [{ ... }]`, the word already read.
+    /// `array [mixed] [n]... [{ ... }]`, the word already read.
     pub(super) fn array(&mut self) -> Result<Array> {
         let start = self.here();
+        let mixed = self.peek()? == Tok::Unknown && self.text() == "mixed";
+        if mixed {
+            self.next()?;
+        }
         let mut dims = SmallVec::new();
         while dims.len() < MAX_DIMENSIONS && self.accept_punct('[')? {
             dims.push(self.dimension()?);
@@ -54,7 +60,7 @@ impl Parser<'_> {
         if count > MAX_ITEMS {
             return self.error("array-too-large", format!("an array of {count} items is too large"), start);
         }
-        let mut array = Array { dims, kind: None, items: vec![None; count as usize] };
+        let mut array = Array { dims, kind: None, mixed, items: vec![None; count as usize] };
         if self.accept_punct('{')? {
             let mut next = 0;
             self.initializer(&mut array, 0, &mut next)?;

@@ -19,14 +19,13 @@ impl Parser<'_> {
 
     /// The five numbers of a colour phrase, in single precision.
     pub(super) fn channels(&mut self) -> Result<[f64; 5]> {
-        if !self.accept(Kw::Color)? {
-            self.accept(Kw::Colour)?;
-        }
+        let word = self.accept(Kw::Color)? || self.accept(Kw::Colour)?;
         let mut channels = match self.peek()? {
             Tok::Kw(kw) if channel(kw).is_some() => [0.0; 5],
             Tok::Kw(kw) if rgb_word(kw).is_some() => self.rgb_phrase(kw)?,
             _ if self.at_expression()? => self.full()?.padded(5).v,
             Tok::Unknown => return self.undeclared("is no colour"),
+            _ if word => self.missing_color([0.0; 5]),
             _ => return self.expected("a colour"),
         };
         while let Tok::Kw(kw) = self.peek()?
@@ -36,6 +35,13 @@ impl Parser<'_> {
             channels[index] = self.float()?;
         }
         Ok(channels.map(|c| f64::from(c as f32)))
+    }
+
+    /// `black`, with a warning, for the colour of which there is only the word, or not even that.
+    pub fn missing_color<T>(&mut self, black: T) -> T {
+        let span = self.span();
+        self.warn("missing-color", "a colour is missing here; black is taken", span);
+        black
     }
 
     /// `rgb e` and its kin.

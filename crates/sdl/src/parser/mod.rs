@@ -30,6 +30,7 @@ mod string;
 mod symbol;
 mod token;
 mod transform;
+mod undefined;
 mod vector_fn;
 mod version;
 
@@ -101,6 +102,7 @@ pub struct Parser<'a> {
     version: version::VersionState,
     gamma_explicit: bool,
     depth: u32,
+    undefined: undefined::Undefined,
     /// What `span` met, for the next `peek`.
     fault: Option<Box<Diagnostic>>,
 }

@@ -77,6 +77,7 @@ impl<'a> Parser<'a> {
             version,
             gamma_explicit: false,
             depth: 0,
+            undefined: Default::default(),
             fault: None,
         }
     }

@@ -231,16 +231,21 @@ impl Parser<'_> {
         Ok(())
     }
 
-    /// The whole text is added, then all but the wanted part of it taken away.
+    /// The whole text is added, then all but the wanted part of it taken away: nothing is left from the place before the
+    /// first character.
     fn substr(&mut self, out: &mut String, mode: Mode) -> Result<()> {
         let (span, start) = (self.span(), out.len());
         self.append_string(out, mode)?;
         let (first, length) = (self.next_float()? as i64, self.next_float()? as i64);
         let last = first.saturating_sub(1).saturating_add(length);
         let size = units(&out[start..]);
-        if first < 1 || length < 0 || last > size as i64 {
+        if first < 0 || length < 0 || last > size as i64 {
             let message = format!("characters {first} to {last} of a string of {size}");
             return self.error("substr-range", message, span);
+        }
+        if first == 0 {
+            out.truncate(start);
+            return Ok(());
         }
         let (first, last) = (first as usize - 1, last as usize);
         if out[start..].is_ascii() {

@@ -24,9 +24,12 @@ impl Parser<'_> {
     }
 
     fn finite_vec3(&mut self) -> Result<Vec3> {
-        let span = self.span();
         let v = self.vec3()?;
-        if v.is_finite() { Ok(v) } else { self.error("not-finite", "a transform must be finite", span) }
+        if v.is_finite() {
+            return Ok(v);
+        }
+        self.met_undefined("a transform that is not finite")?;
+        Ok(Vec3::ONE)
     }
 
     /// A zero becomes one, as the transform could not be undone.

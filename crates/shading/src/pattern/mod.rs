@@ -157,12 +157,20 @@ impl Pattern {
     /// The values at four points that have been warped already.
     #[inline]
     pub(crate) fn eval_warped4(&self, points: &[Vec3; 4], context: &Context) -> [f64; 4] {
-        let values = match &self.kind {
-            Kind::Bozo { noise } => noise4(*noise, points),
-            Kind::Dents { noise } => noise4(*noise, points).map(|v| v.powi(3)),
-            kind => points.map(|p| kind.value(p, context)),
-        };
-        values.map(|v| self.wave.apply(v))
+        let mut values = [0.0; 4];
+        match &self.kind {
+            Kind::Bozo { noise } => values = noise4(*noise, points),
+            Kind::Fractal(settings) => values = fractal::values(settings, points),
+            kind => {
+                for (value, p) in values.iter_mut().zip(points) {
+                    *value = kind.value(*p, context);
+                }
+            }
+        }
+        for value in &mut values {
+            *value = self.wave.apply(*value);
+        }
+        values
     }
 
     /// The warps, for normals on their way in and out.

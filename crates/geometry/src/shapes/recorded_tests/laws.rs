@@ -167,3 +167,22 @@ fn nothing_panics_on_strange_rays() {
         }
     }
 }
+
+#[test]
+fn ends_belong_to_open_cones_only() {
+    let at = |height: f64| Vec3::new(0.3, height, 0.2);
+    for cap_radius in [1.0, 1.5] {
+        let cone = |open| {
+            let (base, cap) = (Vec3::ZERO, Vec3::Y);
+            crate::shapes::build(&Shape::Cone { base, base_radius: 1.0, cap, cap_radius, open })
+                .expect("a cone")
+        };
+        let (open, closed) = (cone(true), cone(false));
+        // As POV-Ray's inside() says.
+        for end in [0.0, 1.0] {
+            assert!(open.inside(at(end)) && !closed.inside(at(end)));
+        }
+        assert!(closed.inside(at(1e-9)) && closed.inside(at(1.0 - 1e-9)));
+        assert!(!open.inside(at(-1e-9)) && !open.inside(at(1.0 + 1e-9)));
+    }
+}
