@@ -5,6 +5,9 @@ use raggio_bvh::Bvh;
 use raggio_bvh::mesh::MeshBvh;
 use raggio_math::{Aabb, Ray, Vec3};
 
+/// Miri is a thousand times slower.
+const CASES: u32 = if cfg!(miri) { 4 } else { 256 };
+
 fn point(reach: f64) -> impl Strategy<Value = Vec3> {
     (-reach..reach, -reach..reach, -reach..reach).prop_map(|(x, y, z)| Vec3::new(x, y, z))
 }
@@ -36,7 +39,7 @@ fn entry(b: &Aabb, ray: &Ray) -> Option<f64> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { failure_persistence: None, rng_seed: RngSeed::Fixed(1), ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { failure_persistence: None, rng_seed: RngSeed::Fixed(1), cases: CASES, ..ProptestConfig::default() })]
 
     #[test]
     fn every_box_on_the_ray_is_visited(all in boxes(), o in point(12.0), d in direction(), leaf in 1..9usize) {

@@ -84,6 +84,7 @@ mod tests {
 
     /// Large trees are built in parts, by all threads.
     #[test]
+    #[cfg_attr(miri, ignore = "takes hours there")]
     fn large_trees_are_the_same_for_any_number_of_threads_and_hold_every_box() {
         let count = 40_000;
         let boxes: Vec<Aabb> = (0..count)

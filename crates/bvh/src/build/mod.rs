@@ -6,6 +6,7 @@
 //! back on the way. Threads share the work and change nothing of the result.
 mod bins;
 mod boxes;
+mod pages;
 
 use rayon::prelude::*;
 
@@ -101,6 +102,8 @@ impl<L: Leaves> Builder<'_, L> {
     fn reserve(&self, count: usize, tree: &mut Tree<L::Leaf>) {
         tree.nodes.reserve(count / (2 * self.size) + 1);
         tree.leaves.reserve(self.kind.room(count));
+        pages::ask_for_large(&tree.nodes);
+        pages::ask_for_large(&tree.leaves);
     }
 
     /// The child word for a run: a leaf, or a node built below.

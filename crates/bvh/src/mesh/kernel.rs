@@ -12,7 +12,7 @@ macro_rules! kernel {
             use crate::kernel::{SLACK, Slab};
             use crate::mesh::double::Sheared;
             use crate::mesh::leaf::AXES;
-            use crate::mesh::{Block, LEAF, MeshBvh, MeshHit, MeshRay, Node, ROOT, STACK, TriangleHit};
+            use crate::mesh::{Block, LEAF, MeshBvh, MeshHit, MeshRay, ROOT, STACK, TriangleHit, UNIT};
             use crate::round::{down, up};
 
             leaf_tests!($features);
@@ -23,9 +23,12 @@ macro_rules! kernel {
                 far_origin: [__m256; 3],
                 inverse: [__m256; 3],
                 far_inverse: [__m256; 3],
-                /// Byte offsets of the rows of `Node::bounds` that are nearer and farther on each axis.
-                near: [usize; 3],
-                far: [usize; 3],
+                /// Where the first node has the rows of `Node::bounds` that are nearer and farther on each axis.
+                near: [*const u8; 3],
+                far: [*const u8; 3],
+                /// Where the first node has its children.
+                child: *const u8,
+                blocks: *const u8,
                 t_min: __m256,
             }
 
@@ -33,7 +36,8 @@ macro_rules! kernel {
                 // Arrays are written out here: `map` is compiled without the features, and would not be inlined.
                 #[inline]
                 #[target_feature(enable = $features)]
-                fn new(slab: &Slab, t_min: f32) -> Boxes {
+                fn new(bvh: &MeshBvh, slab: &Slab, t_min: f32) -> Boxes {
+                    let row = |k: usize| bvh.nodes.as_ptr().cast::<u8>().wrapping_add(32 * k);
                     let (near, far, inverse) = (&slab.origin_near, &slab.origin_far, &slab.inverse);
                     Boxes {
                         near_origin: [
@@ -52,8 +56,10 @@ macro_rules! kernel {
                             _mm256_set1_ps(inverse[1] * SLACK),
                             _mm256_set1_ps(inverse[2] * SLACK),
                         ],
-                        near: [32 * slab.near[0], 32 * slab.near[1], 32 * slab.near[2]],
-                        far: [32 * slab.far[0], 32 * slab.far[1], 32 * slab.far[2]],
+                        near: [row(slab.near[0]), row(slab.near[1]), row(slab.near[2])],
+                        far: [row(slab.far[0]), row(slab.far[1]), row(slab.far[2])],
+                        child: row(6),
+                        blocks: bvh.blocks.as_ptr().cast(),
                         t_min: _mm256_set1_ps(t_min),
                     }
                 }
@@ -61,7 +67,7 @@ macro_rules! kernel {
                 /// A ray in single precision, which is taken to be exact.
                 #[inline]
                 #[target_feature(enable = $features)]
-                fn single(ray: &MeshRay) -> Boxes {
+                fn single(bvh: &MeshBvh, ray: &MeshRay) -> Boxes {
                     // SAFETY: four floats, aligned to 16 by the type.
                     let dir = unsafe { _mm_load_ps(ray.dir.as_ptr()) };
                     // A direction of 0 becomes tiny: the box test then never multiplies 0 by infinity.
@@ -71,6 +77,7 @@ macro_rules! kernel {
                     let slack = _mm_mul_ps(inverse, _mm_set1_ps(SLACK));
                     let backwards = _mm_movemask_ps(inverse) as usize;
                     let side = [96 * (backwards & 1), 96 * (backwards >> 1 & 1), 96 * (backwards >> 2 & 1)];
+                    let row = |offset: usize| bvh.nodes.as_ptr().cast::<u8>().wrapping_add(offset);
                     let origin = [
                         _mm256_broadcast_ss(&ray.origin[0]),
                         _mm256_broadcast_ss(&ray.origin[1]),
@@ -88,8 +95,10 @@ macro_rules! kernel {
                         far_origin: origin,
                         inverse: all(inverse),
                         far_inverse: all(slack),
-                        near: [side[0], 32 + side[1], 64 + side[2]],
-                        far: [96 - side[0], 128 - side[1], 160 - side[2]],
+                        near: [row(side[0]), row(32 + side[1]), row(64 + side[2])],
+                        far: [row(96 - side[0]), row(128 - side[1]), row(160 - side[2])],
+                        child: row(192),
+                        blocks: bvh.blocks.as_ptr().cast(),
                         t_min: _mm256_broadcast_ss(&ray.t_min),
                     }
                 }
@@ -97,11 +106,11 @@ macro_rules! kernel {
                 /// Which children the ray enters before `t_max`, and where.
                 #[inline]
                 #[target_feature(enable = $features)]
-                fn enter(&self, node: &Node, t_max: __m256) -> (u32, __m256) {
-                    let base = node.bounds.as_ptr().cast::<u8>();
-                    let plane = |offset: usize, origin: __m256, inverse: __m256| {
-                        // SAFETY: offsets are rows 0..6 of `bounds`, 32 bytes each, in a structure aligned to 32.
-                        let row = unsafe { _mm256_load_ps(base.add(offset).cast()) };
+                fn enter(&self, word: u32, t_max: __m256) -> (u32, __m256) {
+                    let plane = |first: *const u8, origin: __m256, inverse: __m256| {
+                        // Words count in bytes by what an address can scale: no arithmetic stands before the load.
+                        // SAFETY: rows 0..6 of `bounds`, 32 bytes each, in a structure aligned to 32.
+                        let row = unsafe { _mm256_load_ps(first.add(word as usize * UNIT).cast()) };
                         _mm256_mul_ps(_mm256_sub_ps(row, origin), inverse)
                     };
                     let near =
@@ -112,6 +121,20 @@ macro_rules! kernel {
                         _mm256_max_ps(_mm256_max_ps(near(0), near(1)), _mm256_max_ps(near(2), self.t_min));
                     let leave = _mm256_min_ps(_mm256_min_ps(far(0), far(1)), _mm256_min_ps(far(2), t_max));
                     (_mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LE_OQ>(enter, leave)) as u32, enter)
+                }
+
+                /// The word of a child of a node.
+                #[inline(always)]
+                fn child(&self, node: u32, slot: usize) -> u32 {
+                    // SAFETY: words are places that the builder made, and a node has eight children.
+                    unsafe { self.child.add(node as usize * UNIT).cast::<u32>().add(slot & 7).read() }
+                }
+
+                /// The block that a leaf's word names.
+                #[inline(always)]
+                fn block(&self, word: u32) -> &Block {
+                    // SAFETY: words are places that the builder made; the mesh outlives its questions.
+                    unsafe { &*self.blocks.add((word & !LEAF) as usize * UNIT).cast::<Block>() }
                 }
             }
 
@@ -127,15 +150,13 @@ macro_rules! kernel {
             /// beyond which nothing interests any more and answers with the new one.
             #[inline]
             #[target_feature(enable = $features)]
-            fn walk(bvh: &MeshBvh, boxes: &Boxes, mut t_max: f32, mut leaf: impl FnMut(&Block, f32) -> f32) {
+            fn walk(boxes: &Boxes, mut t_max: f32, mut leaf: impl FnMut(&Block, f32) -> f32) {
                 let mut stack = [MaybeUninit::<Entry>::uninit(); STACK];
                 let mut top = 0usize;
                 let mut word = ROOT;
                 loop {
                     while word & LEAF == 0 {
-                        // SAFETY: child words are indices that the builder made.
-                        let node = unsafe { bvh.nodes.get_unchecked(word as usize) };
-                        let (mut mask, near) = boxes.enter(node, _mm256_set1_ps(t_max));
+                        let (mut mask, near) = boxes.enter(word, _mm256_set1_ps(t_max));
                         if mask == 0 {
                             word = u32::MAX;
                             break;
@@ -146,15 +167,15 @@ macro_rules! kernel {
                         let first = mask.trailing_zeros() as usize;
                         mask &= mask - 1;
                         if mask == 0 {
-                            word = node.child[first];
+                            word = boxes.child(word, first);
                             continue;
                         }
-                        let mut nearest = entry(t[first], node.child[first]);
+                        let mut nearest = entry(t[first], boxes.child(word, first));
                         let base = top;
                         while mask != 0 {
                             let slot = mask.trailing_zeros() as usize;
                             mask &= mask - 1;
-                            let other = entry(t[slot & 7], node.child[slot & 7]);
+                            let other = entry(t[slot & 7], boxes.child(word, slot));
                             let (near, far) =
                                 if other < nearest { (other, nearest) } else { (nearest, other) };
                             nearest = near;
@@ -173,8 +194,7 @@ macro_rules! kernel {
                         word = nearest as u32;
                     }
                     if word != u32::MAX {
-                        // SAFETY: leaf words are indices that the builder made.
-                        let block = unsafe { bvh.blocks.get_unchecked((word & !LEAF) as usize) };
+                        let block = boxes.block(word);
                         t_max = leaf(block, t_max);
                     }
                     loop {
@@ -194,9 +214,9 @@ macro_rules! kernel {
 
             #[target_feature(enable = $features)]
             pub(super) fn closest(bvh: &MeshBvh, ray: &MeshRay) -> Option<MeshHit> {
-                let (boxes, single) = (Boxes::single(ray), Single::new(ray));
+                let (boxes, single) = (Boxes::single(bvh, ray), Single::new(ray));
                 let mut nearest = MeshHit { t: ray.t_max, triangle: u32::MAX };
-                walk(bvh, &boxes, ray.t_max, |block, t_max| {
+                walk(&boxes, ray.t_max, |block, t_max| {
                     let (mask, t) = single.hit(block, t_max);
                     if mask != 0 {
                         nearest = nearest_lane(block, t);
@@ -208,34 +228,31 @@ macro_rules! kernel {
 
             #[target_feature(enable = $features)]
             pub(super) fn any(bvh: &MeshBvh, ray: &MeshRay) -> bool {
-                let (boxes, single) = (Boxes::single(ray), Single::new(ray));
+                let (boxes, single) = (Boxes::single(bvh, ray), Single::new(ray));
                 let t_max = _mm256_set1_ps(ray.t_max);
                 let mut stack = [MaybeUninit::<u32>::uninit(); STACK];
                 let mut top = 0usize;
                 let mut word = ROOT;
                 loop {
                     while word & LEAF == 0 {
-                        // SAFETY: child words are indices that the builder made.
-                        let node = unsafe { bvh.nodes.get_unchecked(word as usize) };
-                        let (mut mask, _) = boxes.enter(node, t_max);
+                        let (mut mask, _) = boxes.enter(word, t_max);
                         if mask == 0 {
                             word = u32::MAX;
                             break;
                         }
-                        // SAFETY: a bit of eight is set.
-                        word = unsafe { *node.child.get_unchecked(mask.trailing_zeros() as usize) };
+                        let node = word;
+                        word = boxes.child(node, mask.trailing_zeros() as usize);
                         mask &= mask - 1;
                         while mask != 0 {
-                            let slot = mask.trailing_zeros() as usize & 7;
+                            let slot = mask.trailing_zeros() as usize;
                             mask &= mask - 1;
                             // SAFETY: top stays under STACK by the builder's depth bound.
-                            unsafe { stack.get_unchecked_mut(top).write(node.child[slot]) };
+                            unsafe { stack.get_unchecked_mut(top).write(boxes.child(node, slot)) };
                             top += 1;
                         }
                     }
                     if word != u32::MAX {
-                        // SAFETY: leaf words are indices that the builder made.
-                        let block = unsafe { bvh.blocks.get_unchecked((word & !LEAF) as usize) };
+                        let block = boxes.block(word);
                         if single.hit(block, ray.t_max).0 != 0 {
                             return true;
                         }
@@ -261,11 +278,11 @@ macro_rules! kernel {
                 if !slab.finite {
                     return None;
                 }
-                let boxes = Boxes::new(&slab, down(range.0.max(0.0)) + 0.0);
+                let boxes = Boxes::new(bvh, &slab, down(range.0.max(0.0)) + 0.0);
                 let double = Double::new(&Sheared::new(ray));
                 let mut best = None;
                 let mut far = range.1;
-                walk(bvh, &boxes, up(far), |block, t_max| {
+                walk(&boxes, up(far), |block, t_max| {
                     let hits = double.hit(block, (range.0, far));
                     let Some(hit) = hits.nearest(block) else { return t_max };
                     best = Some(hit);
@@ -287,9 +304,9 @@ macro_rules! kernel {
                 if !slab.finite {
                     return;
                 }
-                let boxes = Boxes::new(&slab, down(range.0.max(0.0)) + 0.0);
+                let boxes = Boxes::new(bvh, &slab, down(range.0.max(0.0)) + 0.0);
                 let double = Double::new(&Sheared::new(ray));
-                walk(bvh, &boxes, up(range.1), |block, t_max| {
+                walk(&boxes, up(range.1), |block, t_max| {
                     double.hit(block, range).each(block, &mut found);
                     t_max
                 });

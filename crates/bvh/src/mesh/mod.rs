@@ -74,8 +74,11 @@ pub(crate) struct Block {
     pub triangle: [u32; LANES],
 }
 
-/// Marks a child word as a leaf: the rest is the index of its [`Block`].
+/// Marks a child word as a leaf: the rest is where its [`Block`] is. All places are bytes from the first, by [`UNIT`].
 pub(crate) const LEAF: u32 = Child::LEAF;
+
+/// What the places in child words are multiples of: the largest factor that an address can have.
+pub(crate) const UNIT: usize = 8;
 
 /// The word of the root.
 pub(crate) const ROOT: u32 = 0;
@@ -143,9 +146,24 @@ pub struct PacketHit {
 impl MeshBvh {
     /// Builds over triangles given by indices into `vertices`. Coordinates must be finite.
     pub fn build(vertices: &[[f32; 3]], triangles: &[[u32; 3]]) -> MeshBvh {
-        let (Tree { nodes, leaves: blocks }, bounds) = build::build(vertices, triangles);
+        let (Tree { mut nodes, leaves: blocks }, bounds) = build::build(vertices, triangles);
+        for word in nodes.iter_mut().flat_map(|node| &mut node.child) {
+            let leaf = *word & LEAF;
+            let size = if leaf == 0 { size_of::<Node>() } else { size_of::<Block>() };
+            *word = leaf | ((*word & !LEAF) * (size / UNIT) as u32);
+        }
         let isa = *wide::Isa::all().last().unwrap_or(&wide::Isa::Scalar);
         MeshBvh { nodes, blocks, bounds, isa }
+    }
+
+    /// The node that a word names.
+    pub(crate) fn node(&self, word: u32) -> &Node {
+        &self.nodes[word as usize * UNIT / size_of::<Node>()]
+    }
+
+    /// The block that a leaf's word names.
+    pub(crate) fn block(&self, word: u32) -> &Block {
+        &self.blocks[(word & !LEAF) as usize * UNIT / size_of::<Block>()]
     }
 
     /// A box around all triangles.

@@ -242,14 +242,14 @@ mod x86 {
                 continue;
             }
             if word & LEAF != 0 {
-                match leaf(&bvh.blocks[(word & !LEAF) as usize], t_max) {
+                match leaf(bvh.block(word), t_max) {
                     Some(shorter) => t_max = shorter,
                     None => return,
                 }
                 t_high = _mm512_reduce_max_ps(t_max);
                 continue;
             }
-            let node = &bvh.nodes[word as usize];
+            let node = bvh.node(word);
             let (mut mask, near) = bundle.cull(node, _mm256_set1_ps(t_high));
             let mut entries = [0.0f32; 8];
             // SAFETY: eight floats are written to an array of eight.

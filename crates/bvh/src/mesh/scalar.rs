@@ -64,10 +64,10 @@ fn walk(bvh: &MeshBvh, slab: &Slab, t_min: f32, mut t_max: f32, mut leaf: impl F
             continue;
         }
         if word & LEAF != 0 {
-            t_max = leaf(&bvh.blocks[(word & !LEAF) as usize], t_max);
+            t_max = leaf(bvh.block(word), t_max);
             continue;
         }
-        let node = &bvh.nodes[word as usize];
+        let node = bvh.node(word);
         let first = stack.len();
         for slot in 0..8 {
             if let Some(entry) = child_entry(node, slot, slab, t_min, t_max) {

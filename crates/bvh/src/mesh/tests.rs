@@ -3,6 +3,11 @@ use raggio_math::Vec3;
 
 use super::*;
 
+/// How often to repeat: under Miri, which is a thousand times slower, far less often.
+fn times(count: usize) -> usize {
+    if cfg!(miri) { count.div_ceil(100) } else { count }
+}
+
 /// A small deterministic generator: the tests need variety, not quality.
 struct Random(u64);
 
@@ -48,7 +53,7 @@ fn every_kernel_agrees_with_brute_force() {
     for (count, size) in [(1, 0.5), (3, 0.5), (40, 0.3), (200, 0.05), (200, 2.0)] {
         let (vertices, triangles) = soup(count, size, &mut random);
         let mut bvh = MeshBvh::build(&vertices, &triangles);
-        for _ in 0..200 {
+        for _ in 0..times(200) {
             let ray = ray(random.point().map(|c| 2.0 * c), random.point());
             let expected = brute_force(&vertices, &triangles, &ray);
             for isa in wide::Isa::all() {
@@ -77,12 +82,55 @@ fn nothing_coincident_flat_and_huge_are_harmless() {
     assert_eq!(huge.closest(&down).map(|h| h.triangle), Some(1));
 }
 
+/// Nothing, one, many in one place, flat ones, very large and far ones: packets answer like single rays, rays that are
+/// not numbers and ranges without end included.
+#[test]
+fn packets_agree_with_single_rays_on_odd_meshes() {
+    let p =
+        [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1e18, 1e18, 0.0], [1e30, -1e30, 1e30], [2.0, 0.0, 0.0]];
+    let meshes: [&[[u32; 3]]; 7] = [
+        &[],
+        &[[0, 1, 2]],
+        &[[0, 1, 2]; 100],
+        &[[0, 0, 1], [1, 1, 1], [0, 1, 5]],
+        &[[0, 1, 3], [0, 1, 2]],
+        &[[0, 1, 4], [0, 4, 2], [0, 1, 2]],
+        &[[0, 0, 1], [0, 1, 2], [3, 4, 4], [0, 1, 2], [1, 5, 2], [0, 1, 4]],
+    ];
+    let mut random = Random(17);
+    for triangles in meshes {
+        let bvh = MeshBvh::build(&p, triangles);
+        for n in 0..times(100) {
+            let origin = [0.2 + 0.1 * random.float(), 0.3, if n % 2 == 0 { 3.0 } else { -3.0 }];
+            let rays: [MeshRay; 16] = std::array::from_fn(|i| {
+                let mut one = ray(origin, [0.05 * random.float(), 0.05 * random.float(), -origin[2]]);
+                match (n % 5, i) {
+                    (1, 3) => one.dir = [0.0, 0.0, -origin[2]],
+                    (2, 5) => one.t_max = 0.5,
+                    (3, 7) => one.dir[0] = f32::NAN,
+                    (4, 9) => one.t_min = 1.5,
+                    _ => {}
+                }
+                one
+            });
+            let packet = Packet::new(&rays);
+            let (hits, any) = (bvh.closest_packet(&packet), bvh.any_packet(&packet));
+            for (i, ray) in rays.iter().enumerate() {
+                let single = bvh.closest(ray).map_or(f32::INFINITY, |h| h.t);
+                let same = hits.t[i] == single || (hits.t[i] - single).abs() <= 1e-5 * single;
+                assert!(same, "{triangles:?} {} {single} {ray:?}", hits.t[i]);
+                assert_eq!(any >> i & 1 == 1, single < f32::INFINITY, "{triangles:?} {ray:?}");
+            }
+        }
+    }
+}
+
 #[test]
 fn packets_agree_with_single_rays() {
     let mut random = Random(11);
     let (vertices, triangles) = soup(300, 0.2, &mut random);
     let bvh = MeshBvh::build(&vertices, &triangles);
-    for n in 0..300 {
+    for n in 0..times(300) {
         // Narrow bundles, wide ones, and some without any coherence.
         let spread = [0.02, 0.3, 4.0][n % 3];
         let (origin, dir) = (random.point().map(|c| 3.0 * c), random.point());
@@ -129,7 +177,7 @@ fn a_closed_mesh_leaks_nowhere() {
     }
     let mut bvh = MeshBvh::build(&vertices, &triangles);
     let mut random = Random(3);
-    for n in 0..200_000 {
+    for n in 0..times(200_000) / if cfg!(miri) { 40 } else { 1 } {
         let origin = random.point().map(|c| 0.3 * c);
         let t = triangles[n % triangles.len()];
         let (a, b) = (vertices[t[n % 3] as usize], vertices[t[(n + 1) % 3] as usize]);
@@ -170,7 +218,7 @@ fn rays_in_double_precision_are_exact_at_any_scale() {
         vertices.iter_mut().flatten().for_each(|c| *c = *c * scale + offset);
         let mut bvh = MeshBvh::build(&vertices, &triangles);
         let vector = |p: [f32; 3]| Vec3::from_array(p.map(f64::from));
-        for _ in 0..200 {
+        for _ in 0..times(200) {
             let target =
                 bvh.bounds().min + (bvh.bounds().max - bvh.bounds().min) * (vector(random.point()) + 0.5);
             let origin = vector(random.point()).normalize() * f64::from(scale) * away + f64::from(offset);
@@ -200,6 +248,7 @@ fn rays_in_double_precision_are_exact_at_any_scale() {
 
 /// Large meshes are built in parts, by all threads.
 #[test]
+#[cfg_attr(miri, ignore = "takes hours there")]
 fn large_meshes_are_the_same_for_any_number_of_threads() {
     let (vertices, triangles) = soup(150_000, 0.01, &mut Random(9));
     let built = |threads: usize| {
