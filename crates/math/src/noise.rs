@@ -13,7 +13,7 @@ mod turbulence;
 mod values;
 mod waves;
 
-pub use lattice::dnoise;
+pub use lattice::{corners, dnoise};
 pub use random::{hash3, random, random3};
 pub use turbulence::{dturbulence, turbulence};
 pub use waves::{WaveSource, wave_sources};

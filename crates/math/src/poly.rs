@@ -171,6 +171,16 @@ pub fn bernstein_roots<const N: usize>(b: &[f64; N]) -> Roots<N> {
     roots
 }
 
+/// Makes Bernstein coefficients over `0..=1` those over `s..=1` (de Casteljau).
+#[inline]
+pub fn bernstein_from<const N: usize>(s: f64, b: &mut [f64; N]) {
+    for last in (1..N).rev() {
+        for i in 0..last {
+            b[i] += (b[i + 1] - b[i]) * s;
+        }
+    }
+}
+
 /// [`bernstein_roots`] of a quadratic, in closed form. The signs of the three coefficients alone tell where roots may
 /// be; two that the discriminant grants lie inside.
 #[inline]
@@ -507,6 +517,17 @@ mod tests {
             (hi, lo) = two_sum(s, e + e2);
         }
         hi + lo
+    }
+
+    #[test]
+    fn the_rest_of_a_curve_is_the_same_curve() {
+        let whole = [1.0, -2.0, 0.5, 3.0, -1.0];
+        let mut rest = whole;
+        bernstein_from(0.25, &mut rest);
+        for x in [0.0, 0.3, 1.0] {
+            let on_whole = eval(&power_from_bernstein(&whole), 0.25 + 0.75 * x);
+            assert!((eval(&power_from_bernstein(&rest), x) - on_whole).abs() < 1e-14);
+        }
     }
 
     #[test]

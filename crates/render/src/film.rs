@@ -9,8 +9,11 @@ use crate::sampler::Sampler;
 use crate::world::World;
 use crate::{photons, radiosity};
 
-/// Side of a tile in pixels. Anti-aliasing knows no neighbours beyond its tile, so that the picture depends on it.
+/// Side of a tile in pixels. Anti-aliasing knows no neighbours beyond its tile and radiosity no new samples, so that the
+/// picture depends on it.
 const TILE: usize = 32;
+/// The same where the picture does not depend on it: less is left to wait for at the end.
+const SMALL_TILE: usize = 16;
 /// The stack of a worker; rays may follow each other 256 levels deep and more.
 const STACK_SIZE: usize = 256 << 20;
 /// How much of it rays may use.
@@ -38,8 +41,8 @@ impl Tile {
 }
 
 /// The tiles of a region, row by row.
-fn tiles(region: &Region) -> Vec<Tile> {
-    let cut = |from: usize, to: usize| (from..to).step_by(TILE).map(move |a| a..(a + TILE).min(to));
+fn tiles(region: &Region, side: usize) -> Vec<Tile> {
+    let cut = |from: usize, to: usize| (from..to).step_by(side).map(move |a| a..(a + side).min(to));
     cut(region.top, region.bottom)
         .flat_map(|y| cut(region.left, region.right).map(move |x| Tile { x, y: y.clone() }))
         .collect()
@@ -55,7 +58,8 @@ impl World {
         progress: &(dyn Fn(usize, usize) + Sync),
     ) -> Film {
         let region = options.area();
-        let tiles = tiles(&region);
+        let alone = options.antialias.is_none() && self.radiosity.is_none();
+        let tiles = tiles(&region, if alone { SMALL_TILE } else { TILE });
         let workers = rayon::ThreadPoolBuilder::new().num_threads(options.threads).stack_size(STACK_SIZE);
         let (pool, stack) = match workers.build() {
             Ok(pool) => (Ok(pool), STACK_FOR_RAYS),
@@ -119,7 +123,7 @@ mod tests {
     #[test]
     fn tiles_cover_a_region_once() {
         let region = Region { left: 5, top: 3, right: 80, bottom: 40 };
-        let tiles = tiles(&region);
+        let tiles = tiles(&region, TILE);
         assert_eq!(tiles[0], Tile { x: 5..37, y: 3..35 });
         assert_eq!(tiles.iter().map(Tile::area).sum::<usize>(), 75 * 37);
         let parts: Vec<_> = tiles

@@ -1,6 +1,6 @@
 //! Arithmetic and elementary functions of bounds.
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
-use std::ops::{Add, Div, Mul, Neg, Sub};
+use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
 use super::{Bounds, Range, VARIABLES};
 use crate::{BinaryOp, Builtin};
@@ -19,6 +19,13 @@ impl Add for Bounds {
             _ => return Bounds::UNKNOWN,
         };
         Bounds { value: self.value + o.value, slopes: each(|k| self.slopes[k] + o.slopes[k]), turns }
+    }
+}
+
+impl AddAssign for Bounds {
+    #[inline]
+    fn add_assign(&mut self, o: Bounds) {
+        *self = *self + o;
     }
 }
 
@@ -152,6 +159,10 @@ impl Bounds {
 
     pub(crate) fn max(self, o: impl Into<Bounds>) -> Bounds {
         -(-self).min(-o.into())
+    }
+
+    pub(crate) fn clamp(self, low: f64, high: f64) -> Bounds {
+        self.max(low).min(high)
     }
 
     pub(crate) fn sin(self) -> Bounds {

@@ -4,6 +4,7 @@
 //! 2009). Every rule here encloses the exact result, but for the last digits, which are not rounded outwards.
 mod elementary;
 mod enclose;
+mod lattice;
 pub(crate) mod noise;
 mod range;
 

@@ -1,10 +1,11 @@
 //! Bounds of noise.
 //!
-//! The value and the gradient in the middle of a box, and how far they may change from there to its faces: the second
-//! derivatives of a noise have a bound that holds everywhere.
+//! The value in the middle of a box and how far it may change from there to its faces, by the slopes: those of lattice
+//! noise are bounded cell by cell; those of gradient noise lie about the ones in the middle, for its second derivatives
+//! have a bound that holds everywhere.
 use raggio_math::Vec3;
 
-use super::{Bounds, Range, VARIABLES};
+use super::{Bounds, Range, VARIABLES, lattice};
 
 /// Step of the central differences.
 const STEP: f64 = 1e-5;
@@ -20,6 +21,9 @@ const SHIFT: f64 = 0.5 - 1.05242;
 
 /// The noise of a generator over bounds of a point.
 pub(crate) fn enclose(generator: u8, at: [Bounds; 3]) -> Bounds {
+    if at.iter().any(Bounds::is_vague) {
+        return Bounds::UNKNOWN;
+    }
     if generator != 1 {
         return smooth(generator, at);
     }
@@ -28,27 +32,33 @@ pub(crate) fn enclose(generator: u8, at: [Bounds; 3]) -> Bounds {
 
 /// The noise of the second or the third generator.
 fn smooth(generator: u8, at: [Bounds; 3]) -> Bounds {
-    if at.iter().any(Bounds::is_vague) {
-        return Bounds::UNKNOWN;
-    }
-    let noise = |p: Vec3| raggio_math::noise::noise(generator, p);
     let half = Vec3::from(at.map(|b| 0.5 * b.value.width()));
     let middle = Vec3::from(at.map(|b| b.value.middle()));
-    let change = half * (BEND - TWIST) + Vec3::splat(half.element_sum() * TWIST);
     let steepest = Range::within(STEEPEST);
-    let gradient = |k: usize| {
-        // Where the cell is too large for the slope in the middle to tell anything.
-        if change[k] > 2.0 * STEEPEST {
-            return steepest;
-        }
-        let step = Vec3::AXES[k] * STEP;
-        let slope = (noise(middle + step) - noise(middle - step)) / (2.0 * STEP);
-        (Range::one(slope) + Range::within(change[k] + BEND * STEP)).meet(steepest)
+    let gradient = match generator {
+        3 => bent(generator, middle, half),
+        _ => lattice::slopes(at.map(|b| b.value)).map(|raw| raw.map(|slope| slope * (1.0 / STRETCH))),
     };
-    let gradient: [Range; 3] = std::array::from_fn(gradient);
-    let away: f64 = (0..3).map(|k| gradient[k].size() * half[k]).sum();
-    let value = (Range::one(noise(middle)) + Range::within(away)).meet(Range { lo: 0.0, hi: 1.0 });
-    let slope = |v: usize| (0..3).fold(Range::ZERO, |sum, k| sum + gradient[k] * at[k].slopes[v]);
+    let gradient = gradient.unwrap_or([Range::ALL; VARIABLES]).map(|slope| steepest.meet(slope));
+    let away: f64 = (0..VARIABLES).map(|k| gradient[k].size() * half[k]).sum();
+    let noise = raggio_math::noise::noise(generator, middle);
+    let value = (Range::one(noise) + Range::within(away)).meet(Range { lo: 0.0, hi: 1.0 });
+    let slope = |v: usize| (0..VARIABLES).fold(Range::ZERO, |sum, k| sum + gradient[k] * at[k].slopes[v]);
     let slopes: [Range; VARIABLES] = std::array::from_fn(slope);
     Bounds::new(value, slopes)
+}
+
+/// The gradient in the middle of a box, and how far it may bend from there.
+fn bent(generator: u8, middle: Vec3, half: Vec3) -> Option<[Range; VARIABLES]> {
+    let noise = |p: Vec3| raggio_math::noise::noise(generator, p);
+    let change = half * (BEND - TWIST) + Vec3::splat(half.element_sum() * TWIST);
+    // Where the box is too large for the slope in the middle to tell anything.
+    if change.min_element() > 2.0 * STEEPEST {
+        return None;
+    }
+    Some(std::array::from_fn(|k| {
+        let step = Vec3::AXES[k] * STEP;
+        let slope = (noise(middle + step) - noise(middle - step)) / (2.0 * STEP);
+        Range::one(slope) + Range::within(change[k] + BEND * STEP)
+    }))
 }

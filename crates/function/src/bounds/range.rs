@@ -55,7 +55,7 @@ impl Range {
     /// The greatest distance from zero.
     #[inline]
     pub fn size(self) -> f64 {
-        self.hi.max(-self.lo)
+        greater(self.hi, -self.lo)
     }
 
     /// Is nothing known?
@@ -73,13 +73,13 @@ impl Range {
     /// The smallest range around both.
     #[inline]
     pub fn hull(self, other: Range) -> Range {
-        Range { lo: self.lo.min(other.lo), hi: self.hi.max(other.hi) }
+        Range { lo: lesser(self.lo, other.lo), hi: greater(self.hi, other.hi) }
     }
 
     /// What both have in common; where rounding leaves nothing, this range.
     #[inline]
     pub fn meet(self, other: Range) -> Range {
-        let (lo, hi) = (self.lo.max(other.lo), self.hi.min(other.hi));
+        let (lo, hi) = (greater(self.lo, other.lo), lesser(self.hi, other.hi));
         if lo <= hi { Range { lo, hi } } else { self }
     }
 
@@ -164,6 +164,18 @@ impl std::ops::Sub for Range {
     }
 }
 
+/// The lesser of two numbers, in one instruction where `f64::min` minds what is no number.
+#[inline]
+pub(super) fn lesser(a: f64, b: f64) -> f64 {
+    if a < b { a } else { b }
+}
+
+/// The greater of two numbers.
+#[inline]
+pub(super) fn greater(a: f64, b: f64) -> f64 {
+    if a > b { a } else { b }
+}
+
 /// The product, where nothing times anything is nothing.
 #[inline]
 fn times(a: f64, b: f64) -> f64 {
@@ -174,8 +186,14 @@ impl std::ops::Mul for Range {
     type Output = Range;
     #[inline]
     fn mul(self, o: Range) -> Range {
-        let p = [times(self.lo, o.lo), times(self.lo, o.hi), times(self.hi, o.lo), times(self.hi, o.hi)];
-        Range { lo: p[0].min(p[1]).min(p[2].min(p[3])), hi: p[0].max(p[1]).max(p[2].max(p[3])) }
+        let mut p = [self.lo * o.lo, self.lo * o.hi, self.hi * o.lo, self.hi * o.hi];
+        if !(p[0] + p[1] + p[2] + p[3]).is_finite() {
+            p = [times(self.lo, o.lo), times(self.lo, o.hi), times(self.hi, o.lo), times(self.hi, o.hi)];
+        }
+        Range {
+            lo: lesser(lesser(p[0], p[1]), lesser(p[2], p[3])),
+            hi: greater(greater(p[0], p[1]), greater(p[2], p[3])),
+        }
     }
 }
 

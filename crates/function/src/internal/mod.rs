@@ -127,7 +127,7 @@ static TABLE: [Entry; 79] = table! {
     plain "helix2" 7 helices::helix2;
     plain "hex_x" 1 branches::hex_x;
     plain "hex_y" 1 branches::hex_y;
-    plain "hetero_mf" 6 noises::hetero_mf;
+    both "hetero_mf" 6 fractals::hetero_mf;
     both "hunt_surface" 1 polynomials::hunt_surface;
     both "hyperbolic_torus" 3 polynomials::hyperbolic_torus;
     both "isect_ellipsoids" 4 lumps::isect_ellipsoids;
@@ -156,8 +156,8 @@ static TABLE: [Entry; 79] = table! {
     both "quartic_saddle" 1 polynomials::quartic_saddle;
     both "quartic_cylinder" 3 polynomials::quartic_cylinder;
     both "r" 0 lumps::r;
-    plain "ridge" 6 noises::ridge;
-    plain "ridged_mf" 6 noises::ridged_mf;
+    both "ridge" 6 fractals::ridge;
+    both "ridged_mf" 6 fractals::ridged_mf;
     both "rounded_box" 4 lumps::rounded_box;
     both "sphere" 1 lumps::sphere;
     both "spikes" 5 lumps::spikes;

@@ -2,6 +2,9 @@
 #[path = "curves.rs"]
 #[allow(clippy::duplicate_mod)]
 pub(super) mod curves;
+#[path = "fractals.rs"]
+#[allow(clippy::duplicate_mod)]
+pub(super) mod fractals;
 #[path = "lumps.rs"]
 #[allow(clippy::duplicate_mod)]
 pub(super) mod lumps;
@@ -12,13 +15,32 @@ mod point;
 #[allow(clippy::duplicate_mod)]
 pub(super) mod polynomials;
 
+use super::generator_number;
 use crate::bounds::{self, Bounds};
+
+/// Powers that are made by multiplication.
+const SMALL_POWERS: std::ops::RangeInclusive<f64> = 0.0..=16.0;
 
 pub(super) type N = Bounds;
 pub(super) type Args = super::Args<N>;
 
 pub(super) fn squared(v: N) -> N {
     v.squared()
+}
+
+pub(super) fn power(v: N, exponent: f64) -> N {
+    if exponent == exponent.trunc() && SMALL_POWERS.contains(&exponent) {
+        return v.powi(exponent as i32);
+    }
+    v.powf(exponent)
+}
+
+/// The noise of several octaves: at the point times a scale, times `lambda` more for each that follows.
+pub(super) fn noises(generator: u8, at: [N; 3], mut scale: f64, lambda: f64, out: &mut [N]) {
+    for out in out {
+        *out = bounds::noise::enclose(generator, at.map(|v| v * scale));
+        scale *= lambda;
+    }
 }
 
 /// Within -10 and 10.
@@ -32,5 +54,5 @@ pub(super) fn length(x: N, y: N) -> N {
 }
 
 pub(super) fn noise_generator(a: &Args) -> N {
-    bounds::noise::enclose(super::noises::generator_number(a.p[1]), [a.x, a.y, a.z])
+    bounds::noise::enclose(generator_number(a.p[1]), [a.x, a.y, a.z])
 }

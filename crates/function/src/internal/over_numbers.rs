@@ -1,6 +1,8 @@
 //! Internal functions computed with numbers.
 #[path = "curves.rs"]
 pub(super) mod curves;
+#[path = "fractals.rs"]
+pub(super) mod fractals;
 #[path = "lumps.rs"]
 pub(super) mod lumps;
 #[path = "point.rs"]
@@ -9,12 +11,26 @@ mod point;
 pub(super) mod polynomials;
 
 use crate::builtin::{maximum, minimum};
+use fractals::AT_ONCE;
+
+use super::generator_number;
 
 pub(super) type N = f64;
 pub(super) type Args = super::Args<N>;
 
 pub(super) fn squared(v: N) -> N {
     v * v
+}
+
+pub(super) fn power(v: N, exponent: f64) -> N {
+    v.powf(exponent)
+}
+
+/// The noise of several octaves, [`AT_ONCE`] at most: at the point times a scale, times `lambda` more for each that follows.
+pub(super) fn noises(generator: u8, [x, y, z]: [N; 3], scale: f64, lambda: f64, out: &mut [N]) {
+    let made: [f64; AT_ONCE] =
+        raggio_math::noise::octaves(generator, raggio_math::Vec3::new(x, y, z), scale, lambda);
+    out.iter_mut().zip(made).for_each(|(out, made)| *out = made);
 }
 
 /// Within -10 and 10; not-a-number gives -10.

@@ -222,10 +222,16 @@ impl Blob {
         }
     }
 
-    fn search_segment(&self, active: &[Span], a: f64, b: f64, to: &mut impl Collect) {
+    fn search_segment(&self, active: &[Span], mut a: f64, b: f64, to: &mut impl Collect) {
         let mut sum = [-self.threshold; 5];
         for span in active {
             span.add_to(a, b, &mut sum);
+        }
+        // A ray that leaves the surface has a root where it starts, which does not count: none is looked for there.
+        let near = to.range().0;
+        if a < near && near < b {
+            poly::bernstein_from((near - a) / (b - a), &mut sum);
+            a = near;
         }
         for &s in poly::bernstein_roots(&sum).iter() {
             to.push(LocalHit::at(a + s * (b - a)));

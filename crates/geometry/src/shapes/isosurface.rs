@@ -3,6 +3,7 @@
 //! A stretch of the ray is free of the surface when the function is too far from the threshold at its ends to get there
 //! with the steepest slope allowed; other stretches are halved, down to the accuracy.
 mod field;
+mod grid;
 mod search;
 
 use std::sync::Arc;
@@ -61,8 +62,7 @@ impl Isosurface {
         if surface.evaluate.is_some() {
             surface.max_gradient = surface.learnt_gradient();
         } else {
-            let bounds = container::bounds(&iso.container);
-            surface.field = Field::new(iso.function.clone(), iso.threshold, bounds).map(Arc::new);
+            surface.field = Field::new(iso).map(Arc::new);
         }
         surface
     }
@@ -193,7 +193,7 @@ mod tests {
             container: Container::Box { min: Vec3::splat(-1.0), max: Vec3::splat(1.0) },
             threshold: 0.8,
             accuracy: 0.001,
-            max_gradient: 3.0,
+            max_gradient: 8.0,
             evaluate: None,
             max_trace: 4,
             open: false,

@@ -95,6 +95,16 @@ impl Cell {
     }
 }
 
+/// What the corners of a lattice cell, named by its least one, hold for raw scalar noise: value and gradient. x is
+/// slowest, z fastest. The noise is the sum of value and way along the gradient of each corner, weighted by
+/// `3 f^2 - 2 f^3` of the way towards it along each axis.
+pub fn corners(least: [f64; 3]) -> [[f64; 4]; 8] {
+    Cell::at(Vec3::from(least) + Vec3::splat(0.5)).corners.map(|at| {
+        let row = &VALUES[at..at + 4];
+        [0.5 * row[0], row[1], row[2], row[3]]
+    })
+}
+
 /// Raw scalar noise, about -0.95 to 0.95.
 #[inline]
 pub(super) fn scalar(p: Vec3) -> f64 {

@@ -1,8 +1,8 @@
 //! What is known of an isosurface's function wherever rays come by: a tree of boxes, made as they are visited.
 //!
-//! A box knows where the function's values and slopes lie in it. Boxes without the surface are left out, those where
-//! the slopes hardly differ are not cut further. What a box knows does not depend on who asks, so pictures do not depend
-//! on the order of rays.
+//! A box knows where the function's values lie in it, and between which two linear functions the function stays. Boxes
+//! without the surface are left out, those where the slopes hardly differ are not cut further. What a box knows does not
+//! depend on who asks, so pictures do not depend on the order of rays.
 use std::ops::ControlFlow;
 use std::sync::{Arc, OnceLock};
 
@@ -10,10 +10,18 @@ use raggio_function::{Bounds, Function, Range};
 use raggio_math::{Aabb, Ray, Vec3};
 use smallvec::SmallVec;
 
+use super::super::container;
+
 /// Boxes are cut in two this many times at most.
-const MOST_CUTS: u32 = 10;
+const MOST_CUTS: u8 = 14;
+/// Where slopes seem steeper than so many times the scene's maximal gradient their bounds are too wide to tell anything
+/// soon, and boxes are cut this many times at most.
+const TOO_STEEP: f64 = 1.5;
+const BLIND_CUTS: u8 = 10;
 /// A box is not cut where the slopes differ by less than this share of the steepest.
 const ALIKE: f64 = 1.0;
+/// The axis of a box that is not cut.
+const NONE: u8 = 3;
 
 /// Where in the container the function is tried out, as shares of its sides.
 const PROBES: [[f64; 3]; 3] = [[0.3, 0.4, 0.6], [0.52, 0.81, 0.37], [0.73, 0.13, 0.86]];
@@ -23,63 +31,113 @@ const PROBES: [[f64; 3]; 3] = [[0.3, 0.4, 0.6], [0.52, 0.81, 0.37], [0.73, 0.13,
 pub(super) struct Field {
     function: Arc<Function>,
     threshold: f64,
+    /// What the scene says to be the steepest slope.
+    max_gradient: f64,
     bounds: Aabb,
     root: OnceLock<Cell>,
 }
 
 /// A box of the tree.
 #[derive(Debug)]
+#[repr(C)]
 struct Cell {
-    /// The axis to cut and where, if the box is to be cut.
-    cut: Option<(usize, f64)>,
-    halves: OnceLock<Box<[Cell; 2]>>,
-    value: Range,
-    slopes: [Range; 3],
-    bounds: Aabb,
+    /// Where the box is cut.
+    plane: f64,
+    /// Across which axis, if it is cut.
+    axis: u8,
     /// How often the whole was cut to get here.
-    depth: u32,
+    depth: u8,
+    halves: OnceLock<Box<[Cell; 2]>>,
+    /// All values in the box.
+    value: Range,
+    model: Model,
+    bounds: Aabb,
 }
 
-/// A stretch of a ray, known by its end, with what is known of the function there.
+/// Between which linear functions a function stays in a box, less the threshold.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Stretch {
-    pub to: f64,
-    /// Values, less the threshold.
-    pub value: Range,
-    /// Slopes along the ray, for one of its parameter.
-    pub slope: Range,
+pub(super) struct Model {
+    centre: Vec3,
+    /// The value in the centre.
+    middle: f64,
+    /// The slopes along the axes: their middles, and how far they are to either side of them.
+    slope: Vec3,
+    spread: Vec3,
+}
+
+impl Model {
+    /// Is anything known of the slopes?
+    #[inline]
+    pub(super) fn is_known(&self) -> bool {
+        self.spread.x + self.spread.y + self.spread.z < f64::INFINITY
+    }
+
+    /// Where the value at a point of the box lies: the middle and how far it may be off.
+    #[inline]
+    pub(super) fn at(&self, p: Vec3) -> (f64, f64) {
+        let d = p - self.centre;
+        (self.middle + self.slope.dot(d), self.spread.dot(d.abs()))
+    }
+
+    /// Where the slope along a direction lies.
+    #[inline]
+    pub(super) fn along(&self, dir: Vec3) -> Range {
+        let (slope, spread) = (self.slope.dot(dir), self.spread.dot(dir.abs()));
+        Range { lo: slope - spread, hi: slope + spread }
+    }
+}
+
+impl Cell {
+    /// May smaller boxes tell much more of a function that the scene says to have slopes up to `max_gradient`?
+    fn is_worth_cutting(&self, max_gradient: f64) -> bool {
+        let Model { slope, spread, .. } = self.model;
+        let steepest = (slope.abs() + spread).max_element();
+        let well_known = self.model.is_known() && 2.0 * spread.element_sum() <= ALIKE * steepest;
+        let most = if steepest <= TOO_STEEP * max_gradient { MOST_CUTS } else { BLIND_CUTS };
+        self.value.contains(0.0) && !well_known && self.depth < most
+    }
 }
 
 impl Field {
     /// A field, unless nothing can be told of the function anywhere.
-    pub(super) fn new(function: Arc<Function>, threshold: f64, bounds: Aabb) -> Option<Self> {
-        let field = Field { function, threshold, bounds, root: OnceLock::new() };
+    pub(super) fn new(iso: &raggio_scene::Isosurface) -> Option<Self> {
+        let bounds = container::bounds(&iso.container);
+        let field = Field {
+            function: iso.function.clone(),
+            threshold: iso.threshold,
+            max_gradient: iso.max_gradient,
+            bounds,
+            root: OnceLock::new(),
+        };
         let known = PROBES.iter().any(|&share| {
             let at = bounds.min + bounds.size() * Vec3::from(share);
-            !field.cell(Aabb { min: at, max: at }, 0).value.is_all()
+            !field.cell(Aabb { min: at, max: at }, None).value.is_all()
         });
         (known && bounds.is_finite()).then_some(field)
     }
 
-    /// Calls `each` with the stretches of a ray between two parameters, in their order, until it breaks.
+    /// Calls `each` with the stretches of a ray between two parameters where `sign` times the function may fall below
+    /// zero, in their order, until it breaks.
     #[inline]
     pub(super) fn walk<B>(
         &self,
         ray: &Ray,
+        sign: f64,
         (mut from, mut to): (f64, f64),
-        mut each: impl FnMut(Stretch) -> ControlFlow<B>,
+        mut each: impl FnMut((f64, f64), &Model) -> ControlFlow<B>,
     ) -> ControlFlow<B> {
         let inverse = ray.dir.recip();
-        let mut cell = self.root.get_or_init(|| self.cell(self.bounds, 0));
+        let mut cell = self.root.get_or_init(|| self.cell(self.bounds, None));
         let mut waiting: SmallVec<[(&Cell, f64); MOST_CUTS as usize]> = SmallVec::new();
         loop {
-            while let Some((axis, plane)) = cell.cut {
-                let halves = self.halves(cell, (axis, plane));
+            while cell.axis != NONE {
+                let axis = usize::from(cell.axis);
+                let halves = self.halves(cell);
                 let (origin, dir) = (ray.origin[axis], ray.dir[axis]);
-                let crossing = (plane - origin) * inverse[axis];
+                let crossing = (cell.plane - origin) * inverse[axis];
                 let (near, far) = if dir > 0.0 { (0, 1) } else { (1, 0) };
                 if dir == 0.0 {
-                    cell = &halves[usize::from(origin > plane)];
+                    cell = &halves[usize::from(origin > cell.plane)];
                 } else if crossing <= from {
                     cell = &halves[far];
                 } else {
@@ -90,8 +148,10 @@ impl Field {
                     }
                 }
             }
-            let slope = (0..3).fold(Range::ZERO, |sum, k| sum + cell.slopes[k] * ray.dir[k]);
-            each(Stretch { to, value: cell.value, slope })?;
+            let empty = if sign > 0.0 { cell.value.lo > 0.0 } else { cell.value.hi < 0.0 };
+            if !empty {
+                each((from, to), &cell.model)?;
+            }
             from = to;
             match waiting.pop() {
                 Some(next) => (cell, to) = next,
@@ -102,44 +162,47 @@ impl Field {
 
     /// The halves of a box that is to be cut.
     #[inline]
-    fn halves<'a>(&self, cell: &'a Cell, (axis, plane): (usize, f64)) -> &'a [Cell; 2] {
+    fn halves<'a>(&self, cell: &'a Cell) -> &'a [Cell; 2] {
         cell.halves.get_or_init(|| {
             let (mut low, mut high) = (cell.bounds, cell.bounds);
-            low.max[axis] = plane;
-            high.min[axis] = plane;
-            Box::new([low, high].map(|half| self.cell(half, cell.depth + 1)))
+            low.max[usize::from(cell.axis)] = cell.plane;
+            high.min[usize::from(cell.axis)] = cell.plane;
+            Box::new([low, high].map(|half| self.cell(half, Some(cell))))
         })
     }
 
-    /// Bounds the function over a box.
-    fn cell(&self, bounds: Aabb, depth: u32) -> Cell {
+    /// Bounds the function over a box, which may be a half of another.
+    fn cell(&self, bounds: Aabb, whole: Option<&Cell>) -> Cell {
         let variable = |k: usize| Bounds::variable(k, Range::new(bounds.min[k], bounds.max[k]));
         let found = self.function.enclose(&[variable(0), variable(1), variable(2)]);
+        let centre = bounds.centre();
         let half = bounds.size() * 0.5;
+        let model = Model {
+            centre,
+            middle: self.function.eval(&centre.to_array()) - self.threshold,
+            slope: Vec3::from(found.slopes.map(Range::middle)),
+            spread: Vec3::from(found.slopes.map(|s| 0.5 * s.width())),
+        };
         let mut value = found.value + Range::one(-self.threshold);
-        if !value.is_all() {
+        if !value.is_all() && model.is_known() {
             // From the middle no point is farther than half the box.
-            let middle = self.function.eval(&bounds.centre().to_array()) - self.threshold;
             let away = (0..3).fold(0.0, |sum, k| sum + found.slopes[k].size() * half[k]);
-            value = value.meet(Range::one(middle) + Range::within(away));
+            value = value.meet(Range::one(model.middle) + Range::within(away));
         }
-        let cut = axis_to_cut(&found.slopes, half)
-            .filter(|_| depth < MOST_CUTS && value.contains(0.0) && !alike(&found.slopes))
-            .map(|axis| (axis, bounds.centre()[axis]));
-        Cell { cut, halves: OnceLock::new(), value, slopes: found.slopes, bounds, depth }
+        let depth = whole.map_or(0, |whole| whole.depth + 1);
+        let mut cell = Cell { plane: 0.0, axis: NONE, depth, halves: OnceLock::new(), value, model, bounds };
+        if let Some(axis) =
+            axis_to_cut(&found.slopes, half).filter(|_| cell.is_worth_cutting(self.max_gradient))
+        {
+            (cell.plane, cell.axis) = (centre[axis], axis as u8);
+        }
+        cell
     }
-}
-
-/// Are the slopes known so well that smaller boxes tell little more?
-fn alike(slopes: &[Range; 3]) -> bool {
-    let differences: f64 = slopes.iter().map(|s| s.width()).sum();
-    let steepest = slopes.iter().map(|s| s.size()).fold(0.0, f64::max);
-    differences <= ALIKE * steepest && steepest.is_finite()
 }
 
 /// The axis along which the function differs most; the longest, if that is not known.
 fn axis_to_cut(slopes: &[Range; 3], half: Vec3) -> Option<usize> {
     let known = slopes.iter().all(|s| s.size().is_finite());
-    let spread = |k: usize| if known { slopes[k].size() * half[k] } else { half[k] };
+    let spread = |k: usize| if known { slopes[k].width() * half[k] } else { half[k] };
     (0..3).filter(|&k| half[k] > 0.0).max_by(|&a, &b| spread(a).total_cmp(&spread(b)))
 }

@@ -1,18 +1,18 @@
 //! Where a function first falls below zero along a ray.
 //!
 //! A root is sought on a grid, a stretch of the ray halved until the steps are below the accuracy; the hit is the first
-//! point of the grid with a negative value. What the slopes prove free of roots is skipped, and where the function
-//! falls all the way the grid point is found by interpolation, so that the place is the one that halving would find.
+//! point of the grid with a negative value. Where little is known of the function it is looked at as the scene's maximal
+//! gradient demands. Elsewhere what the bounds prove free of roots is skipped, and where the function falls all the way
+//! the grid point is found by interval Newton steps, so that the place is the one that halving would find.
 use std::ops::ControlFlow;
 
 use raggio_function::Range;
 use raggio_math::Ray;
 
 use super::Isosurface;
-use super::field::Stretch;
+use super::field::Model;
+use super::grid::{Grid, Sample};
 
-/// A stretch is halved at most this often.
-const MOST_HALVINGS: u32 = 40;
 /// Slopes that spread over more than this share of what the maximal gradient allows tell nothing.
 const TELLING: f64 = 0.9;
 
@@ -27,59 +27,24 @@ pub(super) struct Search<'a> {
     pub gradient: f64,
 }
 
-/// The points of a ray at which the function is looked at.
-#[derive(Clone, Copy)]
-struct Grid {
-    start: f64,
-    step: f64,
-    count: u64,
-}
-
-impl Grid {
-    /// From `start` to `end` in steps below the accuracy, a power of two of them.
-    fn new(start: f64, end: f64, accuracy: f64) -> Grid {
-        let mut grid = Grid { start, step: end - start, count: 1 };
-        while grid.step >= accuracy && grid.count < 1 << MOST_HALVINGS {
-            grid.step *= 0.5;
-            grid.count *= 2;
-        }
-        grid
-    }
-
-    /// The first point that is not before `t`.
-    fn not_before(&self, t: f64) -> u64 {
-        (((t - self.start) / self.step).ceil() as u64).min(self.count)
-    }
-
-    /// The last point that is not after `t`.
-    fn not_after(&self, t: f64) -> u64 {
-        (((t - self.start) / self.step).floor() as u64).min(self.count)
-    }
-}
-
-/// The function at a point of the grid.
-#[derive(Clone, Copy)]
-struct Sample {
-    index: u64,
-    t: f64,
-    value: f64,
-}
-
-/// A part of the grid with the slopes that it may have; no slopes are those of the maximal gradient.
-#[derive(Clone, Copy)]
-struct Part {
-    from: u64,
-    to: u64,
-    slope: Option<Range>,
+/// Where a search along known stretches stands.
+struct Progress {
+    /// The last point up to which nothing is left to be found, but for what is postponed.
+    done: u64,
+    /// Points after this one, up to `done`, are postponed: nothing is known of the slopes there.
+    unknown_from: u64,
+    /// The last sample, if the function was looked at.
+    last: Sample,
 }
 
 impl Search<'_> {
+    #[inline]
     pub(super) fn value(&self, t: f64) -> f64 {
         self.sign * self.surface.value(self.ray.at(t))
     }
 
     fn sample(&self, grid: &Grid, index: u64) -> Sample {
-        let t = grid.start + index as f64 * grid.step;
+        let t = grid.at(index);
         Sample { index, t, value: self.value(t) }
     }
 
@@ -87,71 +52,148 @@ impl Search<'_> {
     pub(super) fn first_root(&mut self, start: (f64, f64), end: f64, limit: f64) -> Option<f64> {
         let grid = Grid::new(start.0, end, self.surface.accuracy);
         let first = Sample { index: 0, t: start.0, value: start.1 };
-        let Some(field) = &self.surface.field else {
+        let Some(field) = self.surface.field.as_deref() else {
             let last = self.sample(&grid, grid.count);
-            return self.first(&grid, first, last, None).map(|s| s.t);
+            let steepest = Range::within(self.gradient * self.stretch);
+            return self.first(&grid, first, last, steepest).map(|s| s.t);
         };
-        let (mut at, mut part) = (first, Part { from: 0, to: 0, slope: None });
+        let mut progress = Progress { done: 0, unknown_from: 0, last: first };
         let ray = self.ray;
-        let found = field.walk(&ray, (start.0, end.min(limit + grid.step)), |stretch| {
-            let slope = self.telling_slope(&stretch);
-            let empty = if self.sign > 0.0 { stretch.value.lo > 0.0 } else { stretch.value.hi < 0.0 };
-            // The first point behind an empty stretch need not be above zero.
-            let to = if empty && stretch.to < end {
-                grid.not_after(stretch.to)
-            } else {
-                grid.not_before(stretch.to)
-            };
-            if to <= part.to {
+        let found = field.walk(&ray, self.sign, (start.0, end.min(limit + grid.step())), |stretch, model| {
+            let last =
+                if stretch.1 < end { grid.not_before(stretch.1).saturating_sub(1) } else { grid.count };
+            let first = grid.not_before(stretch.0).max(progress.done + 1);
+            if first > last {
                 return ControlFlow::Continue(());
             }
-            if !empty && slope.is_none() && part.slope.is_none() {
-                part.to = to;
-                return ControlFlow::Continue(());
+            match self.in_stretch(&grid, (first, last), model, &mut progress) {
+                Some(index) => ControlFlow::Break(index),
+                None => ControlFlow::Continue(()),
             }
-            if let Some(found) = self.in_part(&grid, &mut at, &part) {
-                return ControlFlow::Break(found);
-            }
-            part =
-                Part { from: if empty { to } else { part.to }, to, slope: if empty { None } else { slope } };
-            ControlFlow::Continue(())
         });
         match found {
-            ControlFlow::Break(found) => Some(found.t),
-            ControlFlow::Continue(()) => self.in_part(&grid, &mut at, &part).map(|s| s.t),
+            ControlFlow::Break(index) => Some(grid.at(index)),
+            ControlFlow::Continue(()) => self.postponed(&grid, &mut progress).map(|index| grid.at(index)),
         }
     }
 
-    /// The slopes along a stretch, if they tell more than the maximal gradient.
-    fn telling_slope(&self, stretch: &Stretch) -> Option<Range> {
+    /// The first of some points in a box that is below zero, or one that was postponed.
+    #[inline]
+    fn in_stretch(
+        &mut self,
+        grid: &Grid,
+        (first, last): (u64, u64),
+        model: &Model,
+        progress: &mut Progress,
+    ) -> Option<u64> {
+        let ends = model.is_known().then(|| (self.known(grid, first, model), self.known(grid, last, model)));
+        if ends.is_some_and(|(a, b)| a.value.lo >= 0.0 && b.value.lo >= 0.0) {
+            return None;
+        }
+        let slope = model.along(self.ray.dir * self.sign);
+        if let Some((a, b)) = ends.filter(|_| slope.hi <= 0.0) {
+            let before = self.postponed(grid, progress);
+            (progress.done, progress.unknown_from) = (last, last);
+            return before.or_else(|| self.falling(grid, a, b, slope));
+        }
+        let Some(((a, b), slope)) = ends.zip(self.telling(slope)) else {
+            if progress.done + 1 < first || progress.unknown_from >= progress.done {
+                if let Some(found) = self.postponed(grid, progress) {
+                    return Some(found);
+                }
+                progress.unknown_from = first - 1;
+            }
+            progress.done = last;
+            return None;
+        };
+        if let Some(found) = self.postponed(grid, progress) {
+            return Some(found);
+        }
+        (progress.done, progress.unknown_from) = (last, last);
+        self.bent(grid, a, b, slope)
+    }
+
+    /// Searches what was postponed.
+    #[inline]
+    fn postponed(&mut self, grid: &Grid, progress: &mut Progress) -> Option<u64> {
+        if progress.unknown_from >= progress.done {
+            return None;
+        }
+        let last = progress.last;
+        let a =
+            if last.index == progress.unknown_from { last } else { self.sample(grid, progress.unknown_from) };
+        let b = self.sample(grid, progress.done);
+        (progress.unknown_from, progress.last) = (progress.done, b);
+        self.first(grid, a, b, Range::within(self.gradient * self.stretch)).map(|s| s.index)
+    }
+
+    /// What a box tells of the value at a point of the grid.
+    #[inline]
+    fn known(&self, grid: &Grid, index: u64, model: &Model) -> Known {
+        let t = grid.at(index);
+        let (middle, off) = model.at(self.ray.at(t));
+        let middle = self.sign * middle;
+        Known { index, t, value: Range { lo: middle - off, hi: middle + off } }
+    }
+
+    /// Slopes along the ray, if they tell more than the maximal gradient.
+    #[inline]
+    fn telling(&self, slope: Range) -> Option<Range> {
         let most = self.gradient * self.stretch;
-        let slope = if self.sign > 0.0 { stretch.slope } else { -stretch.slope };
         let slope = slope.meet(Range::within(most));
         (slope.width() < TELLING * 2.0 * most).then_some(slope)
     }
 
-    /// Searches a part of the grid; `at` is the last sample before, and after it the part's end.
-    fn in_part(&mut self, grid: &Grid, at: &mut Sample, part: &Part) -> Option<Sample> {
-        if part.from >= part.to {
-            return None;
+    /// The first point below zero where the function never rises: interval Newton steps (Moore, 1966) on whole points.
+    fn falling(&self, grid: &Grid, a: Known, b: Known, slope: Range) -> Option<u64> {
+        // Distances per value to a root: at least, at most, and in the middle.
+        let (steep, flat) = (-1.0 / slope.lo, 1.0 / (-slope.hi).max(f64::MIN_POSITIVE));
+        let typical = -2.0 / (slope.lo + slope.hi);
+        let reach = |t: f64, value: f64, per_value: f64| grid.not_before(t + value * per_value);
+        // The point that is sought is one of these; the one behind the last stands for none.
+        let mut low = a.index.max(reach(a.t, a.value.lo.max(0.0), steep));
+        let mut high = (b.index + 1).min(reach(a.t, a.value.hi.max(0.0), flat)).max(low);
+        let mut guess = reach(a.t, a.value.middle(), typical);
+        let mut turn = 0;
+        while low < high {
+            turn += 1;
+            let index = if turn % 4 == 0 { low.midpoint(high) } else { guess }.clamp(low, high - 1);
+            let at = self.sample(grid, index);
+            let reach = |per_value: f64| reach(at.t, at.value, per_value);
+            guess = reach(typical);
+            if at.value < 0.0 {
+                high = index.min(reach(steep));
+                low = low.max(reach(flat)).min(high);
+                // The point before may be the one where the sign changes.
+                guess = guess.min(high.saturating_sub(1));
+            } else {
+                low = (index + 1).max(reach(steep));
+                high = high.min(reach(flat)).max(low);
+            }
         }
-        let from = if at.index == part.from { *at } else { self.sample(grid, part.from) };
-        *at = self.sample(grid, part.to);
-        self.first(grid, from, *at, part.slope)
+        (low <= b.index).then_some(low)
     }
 
-    /// The first sample below zero between two of them.
-    fn first(&mut self, grid: &Grid, a: Sample, b: Sample, slope: Option<Range>) -> Option<Sample> {
+    /// The first point below zero where the function may rise and fall.
+    fn bent(&mut self, grid: &Grid, a: Known, b: Known, slope: Range) -> Option<u64> {
+        let a = self.sample(grid, a.index);
+        if a.value < 0.0 || a.index == b.index {
+            return (a.value < 0.0).then_some(a.index);
+        }
+        let b = self.sample(grid, b.index);
+        self.first(grid, a, b, slope).map(|s| s.index)
+    }
+
+    /// The first sample below zero between two of them, the first of which is not.
+    fn first(&mut self, grid: &Grid, a: Sample, b: Sample, slope: Range) -> Option<Sample> {
         if b.index - a.index <= 1 {
             return (b.value < 0.0).then_some(b);
         }
         self.learn((b.value - a.value).abs() / (self.stretch * (b.t - a.t)));
-        let range = slope.unwrap_or(Range::within(self.gradient * self.stretch));
-        if least(a, b, range) >= 0.0 && (slope.is_none() || b.value >= 0.0) {
+        let slope =
+            if self.surface.evaluate.is_some() { Range::within(self.gradient * self.stretch) } else { slope };
+        if least(a, b, slope) >= 0.0 {
             return None;
-        }
-        if range.hi <= 0.0 && a.value >= 0.0 && b.value < 0.0 {
-            return Some(self.crossing(grid, a, b));
         }
         let middle = self.sample(grid, a.index.midpoint(b.index));
         // So far away that numbers are coarser than the accuracy.
@@ -159,25 +201,6 @@ impl Search<'_> {
             return (b.value < 0.0).then_some(b);
         }
         self.first(grid, a, middle, slope).or_else(|| self.first(grid, middle, b, slope))
-    }
-
-    /// The first sample below zero where the function falls all the way from `a`, not below zero, to `b`, below it.
-    fn crossing(&self, grid: &Grid, mut a: Sample, mut b: Sample) -> Sample {
-        let mut halve = 0;
-        while b.index - a.index > 1 {
-            let share = a.value / (a.value - b.value);
-            let guess = grid.not_before(a.t + share * (b.t - a.t)).clamp(a.index + 1, b.index - 1);
-            // Interpolation may creep along a bend.
-            let index = if halve == 3 { a.index.midpoint(b.index) } else { guess };
-            halve = (halve + 1) % 4;
-            let middle = self.sample(grid, index);
-            if middle.value < 0.0 {
-                b = middle;
-            } else {
-                a = middle;
-            }
-        }
-        b
     }
 
     /// `evaluate`: a steeper slope than expected raises the gradient.
@@ -198,6 +221,14 @@ impl Search<'_> {
             self.gradient *= decrease;
         }
     }
+}
+
+/// What is known of the function at a point of the grid without looking.
+#[derive(Clone, Copy)]
+struct Known {
+    index: u64,
+    t: f64,
+    value: Range,
 }
 
 /// The least value that a function with slopes in a range can have between two samples.
