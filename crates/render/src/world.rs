@@ -196,21 +196,16 @@ impl Rules {
 
 /// Each texture once, however often it is placed; and whether any looks at texture coordinates.
 fn compile_textures(geometry: &Geometry, noise: Noise) -> (Vec<WorldTexture>, bool) {
-    let mut done = FxHashMap::default();
-    let mut asks_uv = false;
-    let compile = |placed: &raggio_geometry::PlacedTexture| {
-        let texture = done.entry(Arc::as_ptr(&placed.texture)).or_insert_with(|| {
-            let (texture, asks) = Texture::compile_and_tell(&placed.texture, noise);
-            asks_uv |= asks;
-            Arc::new(texture)
-        });
+    let placed = &geometry.textures;
+    let (compiled, asks_uv) = Texture::compile_all(placed.iter().map(|p| &p.texture), noise);
+    let at_place = |(placed, texture): (&raggio_geometry::PlacedTexture, Arc<Texture>)| {
         let frame = placed
             .texture_from_world
             .as_deref()
             .map(|t| Box::new(Frame { texture_from_world: *t, world_from_texture: t.inverse() }));
-        WorldTexture { texture: texture.clone(), frame }
+        WorldTexture { texture, frame }
     };
-    (geometry.textures.iter().map(compile).collect(), asks_uv)
+    (placed.iter().zip(compiled).map(at_place).collect(), asks_uv)
 }
 
 fn opaque_materials(geometry: &Geometry, textures: &[WorldTexture]) -> Vec<bool> {

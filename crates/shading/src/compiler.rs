@@ -7,8 +7,8 @@ use rustc_hash::FxHashMap;
 
 use crate::{Noise, Normal, Pigment, Texture};
 
-/// Compiles one texture, pigment, normal or pattern with all its parts. The addresses in the tables stay valid because
-/// the scene's part that is being compiled is borrowed all the while.
+/// Compiles textures, pigments, normals or patterns with all their parts. The addresses in the tables stay valid because
+/// the scene's parts that are being compiled are borrowed all the while.
 pub(crate) struct Compiler {
     pub noise: Noise,
     /// Does any part look at texture coordinates?

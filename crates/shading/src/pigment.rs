@@ -22,10 +22,10 @@ pub struct Pigment {
 #[derive(Debug)]
 enum Kind {
     Solid(Color),
-    Colors { pattern: Pattern, map: Map<Color> },
-    Pigments { pattern: Pattern, map: Map<Arc<Pigment>> },
-    Average { pattern: Pattern, map: Map<Arc<Pigment>> },
-    Image { warps: WarpList, image: Image },
+    Colors { pattern: Box<Pattern>, map: Map<Color> },
+    Pigments { pattern: Box<Pattern>, map: Map<Arc<Pigment>> },
+    Average { pattern: Box<Pattern>, map: Map<Arc<Pigment>> },
+    Image { warps: WarpList, image: Box<Image> },
     Uv(Arc<Pigment>),
 }
 
@@ -42,16 +42,16 @@ impl Compiler {
         let kind = match &pigment.kind {
             PigmentKind::Solid(color) => Kind::Solid(*color),
             PigmentKind::ColorMap { pattern, map } => {
-                Kind::Colors { pattern: self.pattern(pattern), map: Map::new(map.iter().copied()) }
+                Kind::Colors { pattern: Box::new(self.pattern(pattern)), map: Map::new(map.iter().copied()) }
             }
             PigmentKind::PigmentMap { pattern, map } => {
                 let map = Map::new(map.iter().map(|(at, entry)| (*at, self.shared_pigment(entry))));
                 let average = matches!(pattern.kind, PatternKind::Average);
-                let pattern = self.pattern(pattern);
+                let pattern = Box::new(self.pattern(pattern));
                 if average { Kind::Average { pattern, map } } else { Kind::Pigments { pattern, map } }
             }
             PigmentKind::Image { warps, image } => {
-                Kind::Image { warps: WarpList::compile(warps), image: Image::compile(image) }
+                Kind::Image { warps: WarpList::compile(warps), image: Box::new(Image::compile(image)) }
             }
             PigmentKind::Uv(inner) => {
                 self.asks_uv = true;

@@ -27,7 +27,7 @@ pub struct Layer {
     /// Colour.
     pub pigment: Pigment,
     /// Bumps.
-    pub normal: Option<Normal>,
+    pub normal: Option<Box<Normal>>,
     /// Answer to light.
     pub finish: scene::Finish,
 }
@@ -74,7 +74,7 @@ impl Compiler {
     fn layer(&mut self, layer: &scene::Layer) -> Layer {
         Layer {
             pigment: self.pigment(&layer.pigment),
-            normal: layer.normal.as_ref().map(|normal| self.normal(normal, false)),
+            normal: layer.normal.as_ref().map(|normal| Box::new(self.normal(normal, false))),
             finish: layer.finish,
         }
     }
@@ -86,10 +86,15 @@ impl Texture {
         Compiler::new(noise).texture(texture)
     }
 
-    /// Compiles a texture and tells whether any part of it looks at texture coordinates.
-    pub fn compile_and_tell(texture: &scene::Texture, noise: Noise) -> (Self, bool) {
+    /// Compiles all textures of a scene, what they have in common once, and tells whether any part of any looks at
+    /// texture coordinates.
+    pub fn compile_all<'a>(
+        textures: impl Iterator<Item = &'a Arc<scene::Texture>>,
+        noise: Noise,
+    ) -> (Vec<Arc<Self>>, bool) {
         let mut compiler = Compiler::new(noise);
-        (compiler.texture(texture), compiler.asks_uv)
+        let compiled = textures.map(|texture| compiler.shared_texture(texture)).collect();
+        (compiled, compiler.asks_uv)
     }
 
     /// Does every part of it stop all light?

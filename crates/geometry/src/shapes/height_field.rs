@@ -9,7 +9,6 @@ use raggio_math::{Aabb, Ray, Vec3};
 use smallvec::SmallVec;
 
 use super::collect::{Collect, searched_from};
-use super::revolve::{greater, least};
 use crate::{LocalHit, Surface};
 
 const LEAST: f64 = 1e-6;
@@ -49,15 +48,12 @@ struct Walk {
 /// A block of cells and the stretch of the ray over its square.
 #[derive(Clone, Copy)]
 struct Block {
-    level: u32,
-    i: u32,
-    j: u32,
+    level: usize,
+    i: usize,
+    j: usize,
     lo: f64,
     hi: f64,
 }
-
-/// Blocks still to be walked, the nearest on top.
-type Waiting = SmallVec<[Block; 32]>;
 
 impl Walk {
     /// The part of a stretch between two planes across an axis.
@@ -73,16 +69,15 @@ impl Walk {
 
     /// On which side of a plane across an axis the ray starts, and where it changes to the other. Blocks that have
     /// nothing beyond the plane are left out of account by `beyond`.
-    #[inline(always)]
-    fn sides(&self, block: &Block, axis: usize, plane: f64, beyond: bool) -> (u32, f64) {
+    fn sides(&self, block: &Block, axis: usize, plane: f64, beyond: bool) -> (usize, f64) {
         let (o, d) = (self.ray.origin[axis], self.ray.dir[axis]);
         if !beyond {
             return (0, block.hi);
         }
         if d == 0.0 {
-            return (u32::from(o >= plane), block.hi);
+            return (usize::from(o >= plane), block.hi);
         }
-        (u32::from(d < 0.0), least(greater((plane - o) * self.inverse[axis], block.lo), block.hi))
+        (usize::from(d < 0.0), ((plane - o) * self.inverse[axis]).max(block.lo).min(block.hi))
     }
 }
 
@@ -106,17 +101,19 @@ impl HeightField {
         let ray = Ray::new(ray.origin / self.scale, ray.dir / self.scale);
         let walk = Walk { inverse: ray.dir.recip(), ray };
         let Some(whole) = self.whole(&walk, to.range()) else { return };
-        let mut waiting = Waiting::new();
-        let mut next = Some(whole);
-        while let Some(block) = next.filter(|block| block.lo <= to.range().1) {
-            next = match block.level {
-                0 => {
-                    self.search_cell(&walk.ray, &block, to);
-                    None
-                }
-                _ => self.descend(&walk, &block, &mut waiting),
-            };
-            next = next.or_else(|| waiting.pop());
+        // Blocks still to be walked, nearest on top.
+        let mut stack: SmallVec<[Block; 32]> = SmallVec::new();
+        stack.push(whole);
+        while let Some(block) = stack.pop() {
+            let block = Block { hi: block.hi.min(to.range().1), ..block };
+            if block.lo > block.hi || !self.may_meet(&ray, &block) {
+                continue;
+            }
+            if block.level == 0 {
+                self.search_cell(&ray, &block, to);
+            } else {
+                self.push_children(&walk, &block, &mut stack);
+            }
         }
     }
 
@@ -127,51 +124,44 @@ impl HeightField {
         let range = walk.clipped(range, 0, (0.0, self.levels[0].columns as f64))?;
         let range = walk.clipped(range, 2, (0.0, self.levels[0].rows as f64))?;
         let (lo, hi) = walk.clipped(range, 1, (f64::from(low) - SHORE, f64::from(high) + SHORE))?;
-        Some(Block { level: level as u32, i: 0, j: 0, lo, hi })
+        Some(Block { level, i: 0, j: 0, lo, hi })
     }
 
-    /// The nearest of the blocks below one that the ray may meet; the others go to those waiting. The ray is over up to
-    /// three of the four, one after the other.
+    /// Does the ray come to the heights of a block while it is over it?
     #[inline]
-    fn descend(&self, walk: &Walk, block: &Block, waiting: &mut Waiting) -> Option<Block> {
+    fn may_meet(&self, ray: &Ray, block: &Block) -> bool {
+        let level = &self.levels[block.level];
+        let (low, high) = level.spans[block.j * level.columns + block.i];
+        let y = |t: f64| ray.origin.y + ray.dir.y * t;
+        let (a, b) = (y(block.lo), y(block.hi));
+        let top = f64::from(high) + SHORE;
+        a.max(b) >= f64::from(low) - SHORE && a.min(b) <= top && top >= self.bottom
+    }
+
+    /// Up to three of the four blocks below one, those that the ray is over, the farthest first.
+    fn push_children(&self, walk: &Walk, block: &Block, stack: &mut SmallVec<[Block; 32]>) {
         let level = block.level - 1;
-        let below = &self.levels[level as usize];
+        let below = &self.levels[level];
         let (i, j) = (2 * block.i, 2 * block.j);
-        let plane = |k: u32| f64::from((k + 1) << level);
-        let (di, tx) = walk.sides(block, 0, plane(i), i as usize + 1 < below.columns);
-        let (dj, tz) = walk.sides(block, 2, plane(j), j as usize + 1 < below.rows);
-        let x_first = tx < tz;
-        let (first, second) = if x_first { (tx, tz) } else { (tz, tx) };
-        let (ai, aj) = if x_first { (1 - di, dj) } else { (di, 1 - dj) };
-        let y = |t: f64| walk.ray.origin.y + walk.ray.dir.y * t;
-        let (y_first, y_second) = (y(first), y(second));
-        let mut nearest: Option<Block> = None;
-        let mut consider = |di: u32, dj: u32, (lo, y_lo): (f64, f64), (hi, y_hi): (f64, f64)| {
-            let part = Block { level, i: i + di, j: j + dj, lo, hi };
-            if lo < hi
-                && self.may_meet(below, &part, (y_lo, y_hi))
-                && let Some(farther) = nearest.replace(part)
-            {
-                waiting.push(farther);
+        let plane = |k: usize| ((k + 1) << level) as f64;
+        let (di, tx) = walk.sides(block, 0, plane(i), i + 1 < below.columns);
+        let (dj, tz) = walk.sides(block, 2, plane(j), j + 1 < below.rows);
+        let mut push = |di: usize, dj: usize, lo: f64, hi: f64| {
+            if lo < hi {
+                stack.push(Block { level, i: i + di, j: j + dj, lo, hi });
             }
         };
-        consider(1 - di, 1 - dj, (second, y_second), (block.hi, y(block.hi)));
-        consider(ai, aj, (first, y_first), (second, y_second));
-        consider(di, dj, (block.lo, y(block.lo)), (first, y_first));
-        nearest
-    }
-
-    /// Does a ray come to the heights of a block, whose heights are these where it comes over it and leaves it?
-    #[inline(always)]
-    fn may_meet(&self, level: &Level, block: &Block, (a, b): (f64, f64)) -> bool {
-        let (low, high) = level.spans[block.j as usize * level.columns + block.i as usize];
-        let top = f64::from(high) + SHORE;
-        greater(a, b) >= f64::from(low) - SHORE && least(a, b) <= top && top >= self.bottom
+        push(1 - di, 1 - dj, tx.max(tz), block.hi);
+        if tx < tz {
+            push(1 - di, dj, tx, tz);
+        } else {
+            push(di, 1 - dj, tz, tx);
+        }
+        push(di, dj, block.lo, tx.min(tz));
     }
 
     fn search_cell(&self, ray: &Ray, block: &Block, to: &mut impl Collect) {
         let &Block { i, j, lo, hi, .. } = block;
-        let (i, j) = (i as usize, j as usize);
         // Where the ray crosses the diagonal from (i + 1, j) to (i, j + 1).
         let (o, d) = (ray.origin, ray.dir);
         let before = (o.x - i as f64) + (o.z - j as f64) - 1.0;

@@ -86,12 +86,12 @@ impl Sweep {
 
 /// The smaller of two numbers; quicker than the library's, which looks for what is no number.
 #[inline(always)]
-pub(crate) fn least(a: f64, b: f64) -> f64 {
+fn least(a: f64, b: f64) -> f64 {
     if a < b { a } else { b }
 }
 
 /// The greater of two numbers.
 #[inline(always)]
-pub(crate) fn greater(a: f64, b: f64) -> f64 {
+fn greater(a: f64, b: f64) -> f64 {
     if a > b { a } else { b }
 }

@@ -54,7 +54,7 @@ pub fn block_with(
             image = Some(image_map(p, source, usage));
             Ok(true)
         }
-        Some(image) => Ok(p.accept_punct(',')? || option(p, image)? || extra(p)?),
+        Some(image) => Ok(p.accept_punct(',')? || option(p, usage, image)? || extra(p)?),
     })?;
     match image {
         Some(image) => Ok(Arc::new(image)),
@@ -174,11 +174,11 @@ fn conversion(p: &Parser, source: &Source, usage: Usage) -> Option<(Curve, Curve
 }
 
 /// One option after the file.
-fn option(p: &mut Parser, image: &mut ImageMap) -> Result<bool> {
+fn option(p: &mut Parser, usage: Usage, image: &mut ImageMap) -> Result<bool> {
     let Some(key) = word(p)? else { return Ok(false) };
     match key {
         Kw::Once => return set_flag(p, &mut image.once),
-        Kw::Map_type => image.map_type = map_type(p)?,
+        Kw::Map_type => image.map_type = map_type(p, usage)?,
         Kw::Interpolate => {
             p.next()?;
             image.interpolation = match float(p)? as i64 {
@@ -222,7 +222,8 @@ fn option(p: &mut Parser, image: &mut ImageMap) -> Result<bool> {
     Ok(true)
 }
 
-fn map_type(p: &mut Parser) -> Result<MapType> {
+/// What is no type of map is refused in an `image_map` only; elsewhere the image lies flat.
+fn map_type(p: &mut Parser, usage: Usage) -> Result<MapType> {
     p.next()?;
     let span = p.span();
     Ok(match float(p)? as i64 {
@@ -230,7 +231,13 @@ fn map_type(p: &mut Parser) -> Result<MapType> {
         1 => MapType::Spherical,
         2 => MapType::Cylindrical,
         5 => MapType::Torus,
-        _ => return p.error("bad-map-type", "map_type must be 0, 1, 2 or 5", span),
+        _ if usage == Usage::Colors => {
+            return p.error("bad-map-type", "map_type must be 0, 1, 2 or 5", span);
+        }
+        _ => {
+            p.warn("bad-map-type", "map_type must be 0, 1, 2 or 5; 0 is taken", span);
+            MapType::Planar
+        }
     })
 }
 
