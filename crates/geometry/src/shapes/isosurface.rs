@@ -62,7 +62,7 @@ impl Isosurface {
         if surface.evaluate.is_some() {
             surface.max_gradient = surface.learnt_gradient();
         } else {
-            surface.field = Field::new(iso).map(Arc::new);
+            surface.field = Field::shared(iso);
         }
         surface
     }

@@ -3,8 +3,9 @@
 //! A box knows where the function's values lie in it, and between which two linear functions the function stays. Boxes
 //! without the surface are left out, those where the slopes hardly differ are not cut further. What a box knows does not
 //! depend on who asks, so pictures do not depend on the order of rays.
+use std::collections::HashMap;
 use std::ops::ControlFlow;
-use std::sync::{Arc, OnceLock};
+use std::sync::{Arc, LazyLock, Mutex, OnceLock, PoisonError, Weak};
 
 use raggio_function::{Bounds, Function, Range};
 use raggio_math::{Aabb, Ray, Vec3};
@@ -98,9 +99,33 @@ impl Cell {
     }
 }
 
+/// What makes two fields the same: the function, which as long as a field lives is the only one in its place, and bits
+/// of the numbers.
+type Key = (usize, [u64; 8]);
+
+/// The fields in use; copies of an object share theirs.
+static SHARED: LazyLock<Mutex<HashMap<Key, Weak<Field>>>> = LazyLock::new(Mutex::default);
+
 impl Field {
+    /// A field that may be shared with copies of the same object, unless nothing can be told of the function anywhere.
+    pub(super) fn shared(iso: &raggio_scene::Isosurface) -> Option<Arc<Self>> {
+        let Aabb { min, max } = container::bounds(&iso.container);
+        let numbers = [min.x, min.y, min.z, max.x, max.y, max.z, iso.threshold, iso.max_gradient];
+        let key = (Arc::as_ptr(&iso.function).addr(), numbers.map(f64::to_bits));
+        let mut shared = SHARED.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(field) = shared.get(&key).and_then(Weak::upgrade) {
+            return Some(field);
+        }
+        let field = Arc::new(Field::new(iso)?);
+        if shared.len().is_power_of_two() {
+            shared.retain(|_, field| field.strong_count() > 0);
+        }
+        shared.insert(key, Arc::downgrade(&field));
+        Some(field)
+    }
+
     /// A field, unless nothing can be told of the function anywhere.
-    pub(super) fn new(iso: &raggio_scene::Isosurface) -> Option<Self> {
+    fn new(iso: &raggio_scene::Isosurface) -> Option<Self> {
         let bounds = container::bounds(&iso.container);
         let field = Field {
             function: iso.function.clone(),
