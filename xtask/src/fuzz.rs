@@ -37,7 +37,8 @@ pub fn run(words: &[String]) -> Result<(), String> {
     let binary = process::renderer(&mut args)?;
     let (seed, count) = (args.parsed("--seed", 1u64)?, args.parsed("--count", 300usize)?);
     let limit = Duration::from_secs(args.parsed("--seconds", 30)?);
-    let root = PathBuf::from(args.last_word()?.ok_or("fuzz needs a folder of scenes")?);
+    let root = args.last_word()?.ok_or("fuzz needs a folder of scenes")?;
+    let root = std::path::absolute(&root).map_err(|e| format!("{root}: {e}"))?;
     let scenes = small_scenes(&root)?;
     let mut rng = fastrand::Rng::with_seed(seed);
     let kept = crate::target_folder()?.join("fuzz");
@@ -73,9 +74,11 @@ fn small_scenes(root: &Path) -> Result<Vec<(PathBuf, String)>, String> {
     if scenes.is_empty() { Err(format!("no small scenes below {}", root.display())) } else { Ok(scenes) }
 }
 
-/// The files beside the scene that a changed one was made from are found as a library's.
+/// The files beside the scene that a changed one was made from are found as a library's; what it writes itself lands
+/// beside the changed one.
 fn render(binary: &Path, scene: &Path, original: &Path) -> Command {
     let mut command = Command::new(binary);
+    command.current_dir(scene.parent().unwrap_or(Path::new(".")));
     command.arg("render").arg(scene).args(["--size", "12x9", "--threads", "1", "-o"]);
     command.arg(scene.with_extension("png"));
     if let Some(folder) = original.parent() {

@@ -394,16 +394,15 @@ fn group(op: Op, built: &[Built], leaves: &Leaves, clips: Vec<NodeRef>, bounds: 
     // Costly members have a box of their own even where there are a great many.
     let cheap = built.len() > 1024 && built.iter().all(|m| cost(m) == 0);
     let (surfaces, deciders) =
-        indices(&surfaces, &decisions, deciders(built, leaves), 1 + usize::from(cheap));
+        indices(&surfaces, &decisions, |all| deciders(built, leaves, all), 1 + usize::from(cheap));
     let members: Vec<_> = built.iter().map(|b| b.member).collect();
     let limiting = if op == Op::Intersection { &members[..] } else { &[] };
     let convex = Convex::of(limiting.iter().map(|m| m.node).chain(clips.iter().copied()), leaves);
     Group { op, members, surfaces, deciders, clips, bounds, convex, solid: None, ranked: true }
 }
 
-/// What boxes tell about each member; those that are cheap to ask first.
-fn deciders(built: &[Built], leaves: &Leaves) -> Vec<Decider> {
-    let mut order: Vec<u32> = (0..built.len() as u32).collect();
+/// What boxes tell about some members; those that are cheap to ask first.
+fn deciders(built: &[Built], leaves: &Leaves, mut order: Vec<u32>) -> Vec<Decider> {
     order.sort_by_key(|&i| leaves.cost(built[i as usize].member.node));
     let known = |index: u32| {
         let Built { member, inside, outside, .. } = built[index as usize];

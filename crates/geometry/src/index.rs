@@ -62,26 +62,31 @@ fn tree(boxes: &[Aabb], leaf_size: usize) -> (Arc<Bvh>, Vec<u32>) {
 }
 
 /// Finds the members of a group: by where their surfaces are, and by where they alone decide about a point
-/// (`decisions`). Deciders come in the order in which they had best be asked.
+/// (`decisions`). `deciders` tells what is known of those that must always be asked, in the order in which they had best
+/// be.
 pub(crate) fn indices(
     surfaces: &[Aabb],
     decisions: &[Aabb],
-    mut deciders: Vec<Decider>,
+    deciders: impl Fn(Vec<u32>) -> Vec<Decider>,
     leaf_size: usize,
 ) -> (Index, Deciders) {
-    for d in &mut deciders {
-        (d.inside, d.outside) = (padded(&d.inside), padded(&d.outside));
-    }
+    let known = |always: Vec<u32>| {
+        let mut known = deciders(always);
+        for d in &mut known {
+            (d.inside, d.outside) = (padded(&d.inside), padded(&d.outside));
+        }
+        known
+    };
     if surfaces.len() <= FEW {
-        return (Index::Few(Box::new(row(surfaces))), Deciders { listed: deciders, tree: None });
+        let all = (0..surfaces.len() as u32).collect();
+        return (Index::Few(Box::new(row(surfaces))), Deciders { listed: known(all), tree: None });
     }
     let (bvh, listed) = tree(surfaces, leaf_size);
     let (deciding, always) = match surfaces == decisions {
         true => (bvh.clone(), listed.clone()),
         false => tree(decisions, leaf_size),
     };
-    deciders.retain(|d| always.binary_search(&d.member).is_ok());
-    (Index::Many { bvh, listed }, Deciders { listed: deciders, tree: Some(deciding) })
+    (Index::Many { bvh, listed }, Deciders { listed: known(always), tree: Some(deciding) })
 }
 
 impl Index {

@@ -65,16 +65,18 @@ fn parameters(p: &mut Parser) -> Result<Vec<String>> {
 /// `{ ... }`; without parameters the body may be one of the special ones.
 pub fn body(p: &mut Parser, parameters: &[String], special: bool) -> Result<Arc<Function>> {
     p.expect('{')?;
-    let function = match special_body(p, special)? {
-        Some(function) => function,
-        None => {
-            let expr = Body::new(parameters).expression(p)?;
-            let count = if parameters.is_empty() { 3 } else { parameters.len() };
-            Function::with_noise_generator(count, expr, p.settings.noise_generator)
-        }
-    };
-    p.expect('}')?;
-    Ok(Arc::new(function))
+    p.nested(|p| {
+        let function = match special_body(p, special)? {
+            Some(function) => function,
+            None => {
+                let expr = Body::new(parameters).expression(p)?;
+                let count = if parameters.is_empty() { 3 } else { parameters.len() };
+                Function::with_noise_generator(count, expr, p.settings.noise_generator)
+            }
+        };
+        p.expect('}')?;
+        Ok(Arc::new(function))
+    })
 }
 
 fn special_body(p: &mut Parser, special: bool) -> Result<Option<Function>> {

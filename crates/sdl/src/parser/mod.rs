@@ -225,7 +225,7 @@ impl Parser<'_> {
 
     // ---- inside the parser
     /// Runs `inner` one bracket deeper: the right side of a declaration can't end in there, and depth is counted.
-    fn nested<T>(&mut self, inner: impl FnOnce(&mut Self) -> Result<T>) -> Result<T> {
+    pub fn nested<T>(&mut self, inner: impl FnOnce(&mut Self) -> Result<T>) -> Result<T> {
         if self.depth >= MAX_DEPTH {
             let message = format!("more than {MAX_DEPTH} brackets or blocks within one another");
             return self.error("nested-too-deeply", message, self.here());
