@@ -58,6 +58,7 @@ fn try_render(
         ready.world.render(&options, cancel, &|done, all| progress.set(done, all))
     };
     let traced = start.elapsed();
+    ready.world.warnings().iter().for_each(|warning| report.say("warning", warning));
     let cancelled = film.cancelled;
     let encode =
         EncodeOptions { format, alpha: args.alpha, bits: args.bits.unwrap_or(8), ..EncodeOptions::default() };

@@ -108,6 +108,33 @@ fn faults_end_with_one_and_leave_no_picture() {
 }
 
 #[test]
+fn a_max_gradient_that_is_too_low_is_warned_of_once() {
+    let folder = folder();
+    let surface = |x: f64, max_gradient: f64| {
+        format!(
+            "isosurface {{ function {{ 3*y + sin(x) }} max_gradient {max_gradient} pigment {{ rgb 1 }} translate {x}*x }}\n"
+        )
+    };
+    let scene = |max_gradient: f64| {
+        let pair = surface(-1.1, max_gradient) + &surface(1.1, max_gradient);
+        std::fs::write(folder.path().join("iso.pov"), format!("camera {{ location -5*z }}\n{pair}"))
+            .expect("a scene");
+    };
+    let warnings = |arguments: &[&str]| {
+        let said = text(&run(&folder, arguments).stderr);
+        said.lines().filter(|line| line.contains("max_gradient")).map(str::to_owned).collect::<Vec<_>>()
+    };
+    scene(1.0);
+    for arguments in [&["render", "iso.pov", "--size", "24x18"][..], &["povray", "+Iiso.pov", "+W24", "+H18"]]
+    {
+        let said = warnings(arguments);
+        assert!(said.len() == 1 && said[0].contains("1.000") && said[0].contains("holes: 2; "), "{said:?}");
+    }
+    scene(4.0);
+    assert!(warnings(&["render", "iso.pov", "--size", "24x18"]).is_empty());
+}
+
+#[test]
 fn messages_come_as_json_lines() {
     let folder = folder();
     let output = run(&folder, &["check", "bad.pov", "--message-format", "json"]);

@@ -9,6 +9,7 @@ use crate::flatten::{Flat, flatten};
 use crate::index::ENOUGH;
 use crate::probe::Probe;
 use crate::shaft::{List, Shaft, Standing};
+use crate::shapes::ShapeKind;
 use crate::texturing::{Parts, Texturing};
 use crate::tree::{Group, Node, NodeRef, Scratch, Tree};
 
@@ -280,6 +281,23 @@ impl Geometry {
             }
         }
         best
+    }
+
+    /// The maximal gradients of isosurfaces that are too low for what rays have met so far, each with the steeper one
+    /// that was found; in the order of the scene, copies once.
+    pub fn steep_isosurfaces(&self) -> Vec<(f64, f64)> {
+        let mut seen = Vec::new();
+        let isosurfaces = self.tree.leaves.shapes.iter().filter_map(|shape| match shape {
+            ShapeKind::Isosurface(iso) => iso.too_steep(),
+            _ => None,
+        });
+        let first = |&(_, _, field): &(f64, f64, usize)| {
+            !seen.contains(&field) && {
+                seen.push(field);
+                true
+            }
+        };
+        isosurfaces.filter(first).map(|(set, found, _)| (set, found)).collect()
     }
 
     /// [`Geometry::blocker`] among a few leaves.

@@ -136,6 +136,21 @@ impl World {
         missing
     }
 
+    /// What a render has found to be wrong with the scene, to be asked after it. Isosurfaces with the same
+    /// `max_gradient` share a warning, as a scene may hold hundreds of them.
+    pub fn warnings(&self) -> Vec<String> {
+        let mut steep = self.geometry.steep_isosurfaces();
+        steep.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let said = |alike: &[(f64, f64)]| {
+            let greatest = alike.iter().fold(0.0, |greatest, &(_, found)| f64::max(greatest, found));
+            let (count, set) = (alike.len(), alike[0].0);
+            format!(
+                "isosurfaces with a max_gradient of {set:.3} that may have holes: {count}; found was {greatest:.3}"
+            )
+        };
+        steep.chunk_by(|a, b| a.0 == b.0).map(said).collect()
+    }
+
     pub(crate) fn texture(&self, id: TextureId) -> &WorldTexture {
         &self.textures[id.0 as usize]
     }

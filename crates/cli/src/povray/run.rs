@@ -104,6 +104,9 @@ impl Run<'_> {
         if self.settings.verbose {
             self.console.say(StreamKind::Render, "\n");
         }
+        for warning in ready.world.warnings() {
+            self.console.line(StreamKind::Warning, format!("Warning: {warning}"));
+        }
         let cancelled = film.cancelled;
         if let Some(path) = &output {
             let encode = pipeline::encode_options(&ready.loaded, self.encode());

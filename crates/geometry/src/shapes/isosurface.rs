@@ -67,6 +67,12 @@ impl Isosurface {
         surface
     }
 
+    /// The scene's maximal gradient and the steeper one that was found, if there is one; and what copies share.
+    pub(crate) fn too_steep(&self) -> Option<(f64, f64, usize)> {
+        let field = self.field.as_ref()?;
+        field.too_steep().map(|(set, found)| (set, found, Arc::as_ptr(field).addr()))
+    }
+
     fn value(&self, p: Vec3) -> f64 {
         self.function.eval(&[p.x, p.y, p.z]) - self.threshold
     }
@@ -198,6 +204,25 @@ mod tests {
             max_trace: 4,
             open: false,
         }
+    }
+
+    #[test]
+    fn a_gradient_that_is_too_low_is_noticed_where_rays_come_by() {
+        let plane = |max_gradient| raggio_scene::Isosurface {
+            function: Arc::new(Function::new(3, binary(BinaryOp::Mul, Expr::Slot(1), Expr::Const(3.0)))),
+            threshold: 0.0,
+            max_gradient,
+            ..rock()
+        };
+        let found = |max_gradient| {
+            let surface = Isosurface::new(&plane(max_gradient), &Affine::IDENTITY);
+            assert_eq!(surface.too_steep(), None);
+            surface.closest(&Ray::new(Vec3::Y * 3.0, -Vec3::Y), (0.0, 10.0)).expect("a hit");
+            surface.too_steep().map(|(set, found, _)| (set, found))
+        };
+        assert_eq!(found(3.0), None);
+        let (set, steepest) = found(1.0).expect("a warning");
+        assert!(set == 1.0 && (steepest - 3.0).abs() < 1e-9, "{steepest}");
     }
 
     #[test]

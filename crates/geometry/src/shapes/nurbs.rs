@@ -152,4 +152,4 @@ impl Surface for NurbsPatch {
 }
 
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;

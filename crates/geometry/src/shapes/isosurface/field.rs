@@ -5,6 +5,7 @@
 //! depend on who asks, so pictures do not depend on the order of rays.
 use std::collections::HashMap;
 use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, LazyLock, Mutex, OnceLock, PoisonError, Weak};
 
 use raggio_function::{Bounds, Function, Range};
@@ -21,6 +22,8 @@ const TOO_STEEP: f64 = 1.5;
 const BLIND_CUTS: u8 = 10;
 /// A box is not cut where the slopes differ by less than this share of the steepest.
 const ALIKE: f64 = 1.0;
+/// A slope beyond the scene's by this factor is not due to rounding.
+const CLEARLY: f64 = 1.001;
 /// The axis of a box that is not cut.
 const NONE: u8 = 3;
 
@@ -36,6 +39,8 @@ pub(super) struct Field {
     max_gradient: f64,
     bounds: Aabb,
     root: OnceLock<Cell>,
+    /// Bits of the steepest slope that was proved, 0 while none exceeds the scene's.
+    steepest: AtomicU64,
 }
 
 /// A box of the tree.
@@ -133,12 +138,29 @@ impl Field {
             max_gradient: iso.max_gradient,
             bounds,
             root: OnceLock::new(),
+            steepest: AtomicU64::new(0),
         };
         let known = PROBES.iter().any(|&share| {
             let at = bounds.min + bounds.size() * Vec3::from(share);
             !field.cell(Aabb { min: at, max: at }, None).value.is_all()
         });
         (known && bounds.is_finite()).then_some(field)
+    }
+
+    /// The scene's maximal gradient and the steeper slope that was found where rays came by, if one was.
+    pub(super) fn too_steep(&self) -> Option<(f64, f64)> {
+        let found = f64::from_bits(self.steepest.load(Ordering::Relaxed));
+        (found > 0.0).then_some((self.max_gradient, found))
+    }
+
+    /// Remembers the slope that a box with the surface in it surely has, if the scene says that there is none.
+    fn note_slope(&self, value: Range, slopes: &[Range; 3]) {
+        let least = |s: &Range| s.lo.max(-s.hi).max(0.0);
+        let steepest = slopes.iter().map(|s| least(s).powi(2)).sum::<f64>().sqrt();
+        if value.contains(0.0) && steepest.is_finite() && steepest > CLEARLY * self.max_gradient {
+            // Bits of positive numbers are in the order of the numbers.
+            self.steepest.fetch_max(steepest.to_bits(), Ordering::Relaxed);
+        }
     }
 
     /// Calls `each` with the stretches of a ray between two parameters where `sign` times the function may fall below
@@ -214,6 +236,7 @@ impl Field {
             let away = (0..3).fold(0.0, |sum, k| sum + found.slopes[k].size() * half[k]);
             value = value.meet(Range::one(model.middle) + Range::within(away));
         }
+        self.note_slope(value, &found.slopes);
         let depth = whole.map_or(0, |whole| whole.depth + 1);
         let mut cell = Cell { plane: 0.0, axis: NONE, depth, halves: OnceLock::new(), value, model, bounds };
         if let Some(axis) =

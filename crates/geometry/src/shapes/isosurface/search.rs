@@ -151,7 +151,8 @@ impl Search<'_> {
         let typical = -2.0 / (slope.lo + slope.hi);
         let reach = |t: f64, value: f64, per_value: f64| grid.not_before(t + value * per_value);
         // The point that is sought is one of these; the one behind the last stands for none.
-        let mut low = a.index.max(reach(a.t, a.value.lo.max(0.0), steep));
+        // What may be below zero at once begins with the first of them: rounding must not go past it.
+        let mut low = if a.value.lo > 0.0 { a.index.max(reach(a.t, a.value.lo, steep)) } else { a.index };
         let mut high = (b.index + 1).min(reach(a.t, a.value.hi.max(0.0), flat)).max(low);
         let mut guess = reach(a.t, a.value.middle(), typical);
         let mut turn = 0;

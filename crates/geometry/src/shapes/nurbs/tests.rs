@@ -84,6 +84,11 @@ fn agrees(nurbs: &Nurbs, shape: &Shape, distance: f64) {
     assert!(count > 500, "only {count} hits");
 }
 
+/// A ring of major radius 1 and minor radius 0.4.
+pub(in crate::shapes) fn ring() -> Nurbs {
+    turned(&arc(Vec2::X, 0.4, false))
+}
+
 #[test]
 fn a_sphere_is_a_sphere() {
     let sphere = Shape::Sphere { center: Vec3::ZERO, radius: 1.0 };
@@ -93,7 +98,7 @@ fn a_sphere_is_a_sphere() {
 #[test]
 fn a_torus_is_a_torus() {
     let torus = Shape::Torus { major: 1.0, minor: 0.4 };
-    agrees(&turned(&arc(Vec2::X, 0.4, false)), &torus, 1e-7);
+    agrees(&ring(), &torus, 1e-7);
 }
 
 #[test]
@@ -105,7 +110,7 @@ fn a_cylinder_is_a_cylinder() {
 }
 
 /// A wavy surface of degrees 3 and 2 with uneven weights and knots that are not clamped.
-fn wavy() -> Nurbs {
+pub(in crate::shapes) fn wavy() -> Nurbs {
     let point = |k: usize| {
         let (i, j) = (k / 5, k % 5);
         let height = ((k * 7) % 5) as f64 * 0.25 - 0.5;

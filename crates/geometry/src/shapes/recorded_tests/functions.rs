@@ -3,7 +3,7 @@ use super::*;
 
 /// Small formulas for functions.
 pub(super) mod formula {
-    use raggio_function::{BinaryOp, Builtin, Expr};
+    use raggio_function::{BinaryOp, Builtin, Expr, Internal};
 
     pub fn num(x: f64) -> Expr {
         Expr::Const(x)
@@ -23,6 +23,9 @@ pub(super) mod formula {
     pub fn cos(a: Expr) -> Expr {
         Expr::Call(Builtin::Cos, vec![a])
     }
+    pub fn noise() -> Expr {
+        Expr::Internal(Internal::NOISE, (0..3).map(slot).collect())
+    }
     pub fn sqr(n: usize) -> Expr {
         mul(slot(n), slot(n))
     }
@@ -32,10 +35,14 @@ pub(super) fn isosurface(name: &'static str) -> Subject {
     use formula::*;
     let cube = |r: f64| Container::Box { min: Vec3::splat(-r), max: Vec3::splat(r) };
     let (body, container, max_gradient, max_trace, place) = match name {
-        "iso" => {
+        "iso" | "iso_all" => {
             let xy = add(sqr(0), mul(num(2.0), sqr(1)));
             let z = mul(sqr(2), add(num(1.0), slot(0)));
-            (add(add(xy, z), num(-0.8)), cube(1.2), 8.0, 1, Affine::IDENTITY)
+            (add(add(xy, z), num(-0.8)), cube(1.2), 8.0, if name == "iso" { 1 } else { 10 }, Affine::IDENTITY)
+        }
+        "iso_noise" => {
+            let ball = add(add(sqr(0), sqr(1)), add(sqr(2), num(-0.9)));
+            (add(ball, mul(num(0.5), noise())), cube(1.2), 8.0, 10, Affine::IDENTITY)
         }
         "iso_closed" => {
             let waves =
@@ -143,6 +150,10 @@ fn sphere_sweeps() {
 }
 
 pub(super) fn julia(name: &'static str) -> Subject {
+    plain(name, Shape::Julia(Box::new(julia_data(name))))
+}
+
+pub(super) fn julia_data(name: &str) -> raggio_scene::Julia {
     use raggio_scene::{JuliaAlgebra, JuliaFunction};
     let plain_slice = ([0.0, 0.0, 0.0, 1.0], 0.0);
     let (parameter, algebra, function, max_iteration, precision, (slice, slice_distance)) = match name {
@@ -165,9 +176,7 @@ pub(super) fn julia(name: &'static str) -> Subject {
             (c, JuliaAlgebra::Hypercomplex, JuliaFunction::Exp, 5, 40.0, plain_slice)
         }
     };
-    let julia =
-        raggio_scene::Julia { parameter, algebra, function, max_iteration, precision, slice, slice_distance };
-    plain(name, Shape::Julia(Box::new(julia)))
+    raggio_scene::Julia { parameter, algebra, function, max_iteration, precision, slice, slice_distance }
 }
 
 #[test]

@@ -7,6 +7,7 @@ use super::functions::*;
 use super::swept::*;
 use super::*;
 use crate::LocalHit;
+use crate::shapes::nurbs::tests as nurbs;
 
 const RAYS: u32 = 100_000;
 /// Every so many rays one is marched along, in so many steps.
@@ -27,6 +28,12 @@ struct Allowed {
 }
 
 const EXACT: Allowed = Allowed { off: 1e-7, least: 2e-4, gap: 1e-5 };
+
+/// Found by steps of 0.0001.
+const STEPPED: Allowed = Allowed { off: 1e-4, least: 2e-3, gap: 1e-3 };
+
+/// Found by a march in steps of 0.02 or more.
+const MARCHED_SHAPE: Allowed = Allowed { off: 1e-6, least: 2e-2, gap: 2e-2 };
 
 /// Numbers between -1 and 1 without pattern, the same on every machine.
 struct Numbers(u64);
@@ -90,7 +97,8 @@ impl Shot<'_> {
         let (hit, slack) = (&self.hits[i], self.slack(&self.hits[i]));
         let before = i.checked_sub(1).map_or(f64::NEG_INFINITY, |k| self.hits[k].t);
         let after = self.hits.get(i + 1).map_or(f64::INFINITY, |h| h.t);
-        if hit.t - before < 3.0 * slack || after - hit.t < 3.0 * slack {
+        let near = self.allowed.gap.max(3.0 * slack);
+        if hit.t - before < near || after - hit.t < near {
             return true;
         }
         let inside = |t: f64| self.surface.inside(self.ray.at(t));
@@ -165,6 +173,12 @@ fn simple(name: &'static str) -> Subject {
     plain(name, shape)
 }
 
+/// After few steps of the orbits a fractal is smooth, so that a march can meet all of it.
+fn few_steps(name: &'static str) -> Subject {
+    let julia = raggio_scene::Julia { max_iteration: 2, precision: 50.0, ..functions::julia_data(name) };
+    plain(name, Shape::Julia(Box::new(julia)))
+}
+
 macro_rules! laws {
     ($($test:ident: $subject:expr, $allowed:expr;)*) => {
         $(#[test]
@@ -199,4 +213,12 @@ laws! {
     egg_on_its_head: ovus("ovus_top"), EXACT;
     patch: bicubic("bicubic1"), EXACT;
     text_of_our_own: super::laws::text(), EXACT;
+    isosurface: functions::isosurface("iso_all"), STEPPED;
+    isosurface_in_a_ball: functions::isosurface("iso_closed"), STEPPED;
+    isosurface_with_noise: functions::isosurface("iso_noise"), STEPPED;
+    julia_fractal: few_steps("julia"), MARCHED_SHAPE;
+    julia_fractal_of_cubes: few_steps("julia_cube"), MARCHED_SHAPE;
+    julia_fractal_of_hypercomplex_numbers: few_steps("julia_hyper"), MARCHED_SHAPE;
+    nurbs_ring: plain("nurbs ring", Shape::Nurbs(Arc::new(nurbs::ring()))), EXACT;
+    nurbs_patch: plain("nurbs patch", Shape::Nurbs(Arc::new(nurbs::wavy()))), EXACT;
 }
