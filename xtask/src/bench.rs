@@ -66,8 +66,16 @@ pub fn frames(words: &[String]) -> Result<(), String> {
     let set = args.value("--set")?.unwrap_or_else(|| "speed".into());
     let root = PathBuf::from(args.last_word()?.ok_or("bench needs the folder of POV-Ray's examples")?);
     let jobs = read_list(&set, &root, &filter)?;
-    let name = if set == "speed" { "bench".into() } else { format!("bench-{set}") };
-    runner.run(&if runner.antialias { name + "-antialiased" } else { name }, &jobs)
+    let (mut command, mut name) = ("bench".to_string(), "bench".to_string());
+    if set != "speed" {
+        command += &format!(" --set {set}");
+        name += &format!("-{set}");
+    }
+    if runner.antialias {
+        command += " --antialias";
+        name += "-antialiased";
+    }
+    runner.run(&command, &name, &jobs)
 }
 
 /// The jobs of `benches/SET.txt` whose names contain `filter`.
@@ -103,7 +111,7 @@ pub fn parse(words: &[String]) -> Result<(), String> {
         .map(|(name, scene)| Job { name, scene, size: (16, 12) })
         .collect();
     jobs.sort_by(|a, b| a.name.cmp(&b.name));
-    runner.run("speed-parse", &jobs)
+    runner.run("speed-parse", "speed-parse", &jobs)
 }
 
 impl Runner {
@@ -120,7 +128,8 @@ impl Runner {
         })
     }
 
-    fn run(&self, command: &str, jobs: &[Job]) -> Result<(), String> {
+    /// Times all jobs. `command` repeats it, `name` is that of its results.
+    fn run(&self, command: &str, name: &str, jobs: &[Job]) -> Result<(), String> {
         let mut timings = Vec::new();
         let mut failed = Vec::new();
         println!("{:<48} {:>10} {:>9} {:>9} {:>7}", "scene", "size", "POV-Ray", "Raggio", "ratio");
@@ -142,7 +151,7 @@ impl Runner {
         }
         let ratios: Vec<f64> = timings.iter().map(|t| t.ratio).collect();
         let results = Results {
-            command: command.into(),
+            command: format!("cargo xtask {command}"),
             threads: self.threads,
             runs: self.runs,
             geometric_mean: geometric_mean(&ratios),
@@ -156,7 +165,7 @@ impl Runner {
             results.geometric_mean,
             results.worst
         );
-        save(command, &results)
+        save(name, &results)
     }
 
     /// Both programs in turn. The inner error says which of them does not render the scene.

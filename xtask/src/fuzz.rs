@@ -90,12 +90,8 @@ fn render(binary: &Path, scene: &Path, original: &Path) -> Command {
 /// One to three words replaced, left out, doubled or exchanged.
 fn mutated(text: &str, rng: &mut fastrand::Rng) -> String {
     let mut words = split(text);
-    let solid = |words: &[String]| {
-        let indices = words.iter().enumerate().filter(|(_, w)| !w.trim().is_empty());
-        indices.map(|(i, _)| i).collect::<Vec<_>>()
-    };
     for _ in 0..rng.usize(1..=3) {
-        let places = solid(&words);
+        let places: Vec<usize> = (0..words.len()).filter(|&i| !words[i].trim().is_empty()).collect();
         let numbers: Vec<usize> =
             places.iter().copied().filter(|&i| words[i].starts_with(|c: char| c.is_ascii_digit())).collect();
         let Some(&at) = rng.choice(&places) else { break };

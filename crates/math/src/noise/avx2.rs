@@ -215,23 +215,18 @@ fn vector_lanes<const N: usize>(p: [Lanes; 3]) -> [Lanes; 3] {
     [between(x, near[0], far[0]), between(x, near[1], far[1]), between(x, near[2], far[2])]
 }
 
-/// One coordinate of up to four octaves.
+/// The point at the scales of the next four octaves.
 #[inline]
 #[target_feature(enable = "avx2")]
-fn scaled(c: f64, scales: Lanes) -> Lanes {
-    _mm256_mul_pd(_mm256_set1_pd(c), scales)
-}
-
-/// The scales of the next four octaves.
-#[inline]
-#[target_feature(enable = "avx2")]
-fn four_scales(scale: &mut f64, lambda: f64) -> Lanes {
+fn four_octaves(x: f64, y: f64, z: f64, scale: &mut f64, lambda: f64) -> [Lanes; 3] {
     let a = *scale;
     let b = a * lambda;
     let c = b * lambda;
     let d = c * lambda;
     *scale = d * lambda;
-    _mm256_set_pd(d, c, b, a)
+    let scales = _mm256_set_pd(d, c, b, a);
+    let scaled = |v: f64| _mm256_mul_pd(_mm256_set1_pd(v), scales);
+    [scaled(x), scaled(y), scaled(z)]
 }
 
 /// Raw scalar noise, if the processor has AVX2.
@@ -316,8 +311,7 @@ fn many_scalars(
     out: &mut [[f64; LANES]],
 ) {
     for (k, out) in out.iter_mut().enumerate() {
-        let scales = four_scales(&mut scale, lambda);
-        let p = [scaled(x, scales), scaled(y, scales), scaled(z, scales)];
+        let p = four_octaves(x, y, z, &mut scale, lambda);
         let raw = match count.saturating_sub(LANES * k) {
             0 => return,
             1 | 2 => scalar_lanes::<2>(p),
@@ -339,8 +333,7 @@ fn many_vectors(
     out: &mut [[[f64; LANES]; 3]],
 ) {
     for (k, out) in out.iter_mut().enumerate() {
-        let scales = four_scales(&mut scale, lambda);
-        let p = [scaled(x, scales), scaled(y, scales), scaled(z, scales)];
+        let p = four_octaves(x, y, z, &mut scale, lambda);
         let [x, y, z] = match count.saturating_sub(LANES * k) {
             0 => return,
             1 | 2 => vector_lanes::<2>(p),
