@@ -9,6 +9,7 @@ mod index;
 mod inherit;
 mod leaf;
 mod materials;
+mod obstacles;
 mod probe;
 mod screen;
 mod shaft;
@@ -20,10 +21,11 @@ mod texturing;
 mod tree;
 mod world;
 
+pub use obstacles::{BlockerGuess, Obstacles};
 pub use screen::{Lanes, RAYS, Screen, Verdict};
 pub use shaft::{Shaft, Standing};
 pub use surface::{LocalHit, Surface};
 pub use world::{
-    BlockerGuess, BuildError, Geometry, Hit, Interaction, InteriorId, InteriorInfo, LightGroupId, Material,
-    MaterialId, PlacedLight, PlacedTexture, RayClass, TextureId, TextureUse,
+    BuildError, Geometry, Hit, Interaction, InteriorId, InteriorInfo, LightGroupId, Material, MaterialId,
+    PlacedLight, PlacedTexture, RayClass, TextureId, TextureUse,
 };

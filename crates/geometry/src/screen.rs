@@ -357,7 +357,7 @@ impl Part {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{BlockerGuess, Hit, Shaft};
+    use crate::{BlockerGuess, Hit, Obstacles, Shaft};
     use raggio_math::Ray;
     use raggio_scene::{Csg, Object, ObjectKind, Shape};
     use std::sync::Arc;
@@ -396,6 +396,21 @@ mod tests {
         Geometry::of_object(&Arc::new(all)).expect("simple shapes")
     }
 
+    /// Nothing lets light through.
+    struct Wall;
+
+    impl Obstacles for Wall {
+        fn stops(&self, _leaf: u32) -> bool {
+            true
+        }
+        fn is_plain(&self, _leaf: u32) -> bool {
+            true
+        }
+        fn meets(&mut self, _hit: &Hit) -> bool {
+            true
+        }
+    }
+
     #[test]
     fn verdicts_agree_with_single_rays() {
         let (geometry, near) = (things(), 1e-3);
@@ -417,10 +432,9 @@ mod tests {
                 let ray = Ray::new(p, way.normalize());
                 let range = (near, way.length() - near);
                 let mut guess = BlockerGuess::default();
-                let any = |_: &Hit| true;
-                let hit = geometry.blocker(&ray, range, RayClass::Shadow, &standing, &mut guess, any);
+                let hit = geometry.is_stopped(&ray, range, near, &standing, &mut guess, &mut Wall);
                 let (is_stopped, is_free) = (verdict.stopped >> k & 1 == 1, verdict.free >> k & 1 == 1);
-                assert_eq!((is_stopped, is_free), (hit.is_some(), hit.is_none()), "{i} {k}");
+                assert_eq!((is_stopped, is_free), (hit, !hit), "{i} {k}");
                 stopped += u32::from(is_stopped);
                 free += u32::from(is_free);
             }

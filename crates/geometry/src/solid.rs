@@ -7,10 +7,10 @@
 use raggio_math::Ray;
 use smallvec::SmallVec;
 
-use crate::Hit;
 use crate::leaf::Leaves;
 use crate::shapes::Stretch;
 use crate::tree::{Group, Node, NodeRef, Op, Tree};
+use crate::{Hit, LocalHit};
 
 /// So many leaves, and groups, a combination may have.
 const MOST_PARTS: usize = 64;
@@ -63,6 +63,12 @@ struct End {
     part: u32,
 }
 
+/// An end that is a hit.
+pub(crate) struct Counted<'a> {
+    part: &'a Part,
+    t: f64,
+}
+
 /// Where a walk stands.
 struct Walk<'a> {
     solid: &'a Solid,
@@ -89,6 +95,24 @@ impl Level {
             Op::Merge => others == 0,
             Op::Union => true,
         }
+    }
+}
+
+impl Counted<'_> {
+    pub(crate) fn leaf(&self) -> u32 {
+        self.part.leaf
+    }
+
+    /// The hit without the shape's own words.
+    pub(crate) fn bare(&self) -> Hit {
+        let Part { leaf, inverted, .. } = *self.part;
+        Hit { t: self.t, leaf, inverted, local: LocalHit::default() }
+    }
+
+    /// The hit, looked for again in its leaf; `None` where rounding hides it.
+    pub(crate) fn hit(&self, tree: &Tree, ray: &Ray) -> Option<Hit> {
+        let around = AROUND * (1.0 + self.t);
+        tree.leaves.closest(self.part.leaf, ray, (self.t - around, self.t + around), &|_| false)
     }
 }
 
@@ -188,21 +212,21 @@ impl Solid {
     #[inline]
     pub(crate) fn closest(&self, tree: &Tree, ray: &Ray, range: (f64, f64)) -> Option<Option<Hit>> {
         let mut best = None;
-        self.sweep(tree, ray, range, |hit| {
-            best = Some(hit);
-            false
+        self.sweep(tree, ray, range, |end| {
+            best = Some(end.hit(tree, ray)?);
+            Some(false)
         })?;
         Some(best)
     }
 
-    /// Calls `found` with the hits, the nearest first, for as long as it answers true. `None` where the sweep cannot
-    /// tell: what was found so far is void.
+    /// Calls `found` with the ends that are hits, the nearest first, for as long as it answers true. `None` where the
+    /// sweep, or `found`, cannot tell: what was found so far is void.
     pub(crate) fn sweep(
         &self,
         tree: &Tree,
         ray: &Ray,
         range: (f64, f64),
-        mut found: impl FnMut(Hit) -> bool,
+        mut found: impl FnMut(Counted<'_>) -> Option<bool>,
     ) -> Option<()> {
         let mut walk = Walk { solid: self, counts: self.outside, contains: 0 };
         let mut ends: SmallVec<[End; 24]> = SmallVec::new();
@@ -228,7 +252,7 @@ impl Solid {
                     true => walk.lets_count(end.part as usize),
                     false => self.point_counts(tree, part, ray, end.t),
                 };
-                if counts && !part.silent && end.t < range.1 && !found(self.hit(tree, part, ray, end.t)?) {
+                if counts && !part.silent && end.t < range.1 && !found(Counted { part, t: end.t })? {
                     return Some(());
                 }
             }
@@ -236,12 +260,6 @@ impl Solid {
             i = next;
         }
         Some(())
-    }
-
-    /// The hit of a leaf at a distance where it has one.
-    fn hit(&self, tree: &Tree, part: &Part, ray: &Ray, t: f64) -> Option<Hit> {
-        let around = AROUND * (1.0 + t);
-        tree.leaves.closest(part.leaf, ray, (t - around, t + around), &|_| false)
     }
 
     /// Asks the groups around a leaf whether they let a point of its surface count.

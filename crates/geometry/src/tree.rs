@@ -252,9 +252,9 @@ impl Tree {
         if let Some(solid) = &group.solid {
             let hits = &mut scratch.lists().hits;
             let start = hits.len();
-            let swept = solid.sweep(self, &probe.ray, range, |hit| {
-                hits.push(hit);
-                true
+            let swept = solid.sweep(self, &probe.ray, range, |end| {
+                hits.push(end.hit(self, &probe.ray)?);
+                Some(true)
             });
             if swept.is_some() {
                 return;

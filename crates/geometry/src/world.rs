@@ -6,9 +6,8 @@ use raggio_scene::{Interior, Light, Object, PhotonFlags, Placed, Scene, Texture}
 use smallvec::SmallVec;
 
 use crate::flatten::{Flat, flatten};
-use crate::index::ENOUGH;
 use crate::probe::Probe;
-use crate::shaft::{List, Shaft, Standing};
+use crate::shaft::{Shaft, Standing};
 use crate::shapes::ShapeKind;
 use crate::texturing::{Parts, Texturing};
 use crate::tree::{Group, Node, NodeRef, Scratch, Tree};
@@ -136,12 +135,6 @@ pub struct TextureUse {
     pub weight: f32,
 }
 
-/// What stopped the last shadow ray: see [`Geometry::blocker`]. Only speed depends on it.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct BlockerGuess {
-    member: Option<u32>,
-}
-
 /// Everything about the winner's surface.
 #[derive(Clone, Debug)]
 pub struct Interaction {
@@ -227,62 +220,6 @@ impl Geometry {
         self.tree.group_closest(&self.world, &Probe::new(ray), range, class.bit(), &mut scratch, &|_| false)
     }
 
-    /// Like [`Geometry::closest`], but any hit that `stops` says yes to ends the search: the answer is the nearest hit,
-    /// or one that stops. For shadow rays. Only what is `standing` in the way is asked. `guess` remembers what stopped
-    /// the last ray that was asked with it and is tried first; keep one for each light.
-    pub fn blocker(
-        &self,
-        ray: &Ray,
-        range: (f64, f64),
-        class: RayClass,
-        standing: &Standing,
-        guess: &mut BlockerGuess,
-        stops: impl Fn(&Hit) -> bool,
-    ) -> Option<Hit> {
-        let range = (range.0.max(MIN_HIT), range.1.min(MAX_DISTANCE));
-        if let Standing::Listed(list) = standing
-            && list.bare
-        {
-            return self.blocking_leaf(ray, range, list, stops);
-        }
-        let probe = Probe::new(ray);
-        let mut scratch = Scratch::default();
-        let mut best: Option<Hit> = None;
-        let stands = |m: &u32| match standing {
-            Standing::Anything => (*m as usize) < self.world.members.len(),
-            Standing::Listed(list) => list.holds(*m),
-        };
-        let tried = guess.member.filter(stands);
-        let mut ask = |index: u32, far: f64| {
-            let member = &self.world.members[index as usize];
-            if member.skip & class.bit() != 0 {
-                return None;
-            }
-            let hit =
-                self.tree.closest(member.node, &probe, (range.0, far), class.bit(), &mut scratch, &stops)?;
-            best = Some(hit);
-            if !stops(&hit) {
-                return Some(hit.t);
-            }
-            guess.member = Some(index);
-            Some(ENOUGH)
-        };
-        let mut far = tried.and_then(|member| ask(member, range.1)).unwrap_or(range.1);
-        match standing {
-            _ if far < 0.0 => {}
-            Standing::Anything => {
-                self.world.surfaces.closest(&probe, (range.0, far), |member, far, _| ask(member, far));
-            }
-            Standing::Listed(list) => {
-                let mut touched = list.boxes.touched(&probe.slab, (range.0, far));
-                while let Some(touch) = touched.next(far) {
-                    far = ask(list.member(touch.place), far).unwrap_or(far);
-                }
-            }
-        }
-        best
-    }
-
     /// The maximal gradients of isosurfaces that are too low for what rays have met so far, each with the steeper one
     /// that was found; in the order of the scene, copies once.
     pub fn steep_isosurfaces(&self) -> Vec<(f64, f64)> {
@@ -300,31 +237,9 @@ impl Geometry {
         isosurfaces.filter(first).map(|(set, found, _)| (set, found)).collect()
     }
 
-    /// [`Geometry::blocker`] among a few leaves.
-    fn blocking_leaf(
-        &self,
-        ray: &Ray,
-        range: (f64, f64),
-        list: &List,
-        stops: impl Fn(&Hit) -> bool,
-    ) -> Option<Hit> {
-        let mut best: Option<Hit> = None;
-        for &index in list.members() {
-            let Node::Leaf(leaf) = self.world.members[index as usize].node.node() else { continue };
-            let far = best.map_or(range.1, |hit| hit.t);
-            if let Some(hit) = self.tree.leaves.closest(leaf, ray, (range.0, far), &stops) {
-                best = Some(hit);
-                if stops(&hit) {
-                    break;
-                }
-            }
-        }
-        best
-    }
-
-    /// The material at a hit.
-    pub fn material_at(&self, hit: &Hit) -> MaterialId {
-        self.tree.leaves.leaves[hit.leaf as usize].material
+    /// The material of a leaf.
+    pub fn material_at(&self, leaf: u32) -> MaterialId {
+        self.tree.leaves.leaves[leaf as usize].material
     }
 
     /// The material of a leaf whose textures are that material's alone; `None` where parts of the leaf have their own.

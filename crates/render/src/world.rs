@@ -1,7 +1,7 @@
 //! The frozen world: a scene compiled for rays, shared by all threads.
 use std::sync::Arc;
 
-use raggio_geometry::{BuildError, Geometry, Hit, Interaction, InteriorId, Material, TextureId};
+use raggio_geometry::{BuildError, Geometry, Interaction, InteriorId, Material, TextureId};
 use raggio_image::Rgb;
 use raggio_math::{Affine, Vec3};
 use raggio_scene::{GammaMode, Interior, PhotonFlags, Scene};
@@ -21,8 +21,8 @@ pub struct World {
     textures: Vec<WorldTexture>,
     /// By `InteriorId`.
     interiors: Vec<WorldInterior>,
-    /// By `MaterialId`: does nothing shine through?
-    opaque: Vec<bool>,
+    /// By `MaterialId`: what surfaces let through.
+    passing: Vec<Passing>,
     pub(crate) lights: Vec<LightSource>,
     pub(crate) light_sets: LightSets,
     pub(crate) camera: Camera,
@@ -38,6 +38,16 @@ pub struct World {
     pub(crate) subsurface: Option<subsurface::Rules>,
     /// Does any interior or empty space have media?
     pub(crate) any_media: bool,
+}
+
+/// What a material's surfaces let through of light.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Passing {
+    Nothing,
+    /// The same share everywhere.
+    Always(Rgb),
+    /// It depends on the place.
+    Varies,
 }
 
 /// A compiled texture at its place.
@@ -108,7 +118,7 @@ impl World {
             subsurface: subsurface::Rules::new(&scene.settings),
             camera: Camera::build(&scene.camera, rules.noise, &geometry)?,
             sky: Sky::new(scene, rules.noise),
-            opaque: opaque_materials(&geometry, &textures),
+            passing: passing_materials(&geometry, &textures, &interiors),
             geometry,
             textures,
             interiors,
@@ -163,19 +173,20 @@ impl World {
         &self.geometry.materials[hit.material.0 as usize]
     }
 
-    /// Does the surface at a hit stop all light?
-    pub(crate) fn stops_light(&self, hit: &Hit) -> bool {
-        self.stops_at(hit.leaf)
+    /// What the surface of a leaf lets through of light.
+    #[inline]
+    pub(crate) fn passing(&self, leaf: u32) -> Passing {
+        self.geometry.plain_material(leaf).map_or(Passing::Varies, |m| self.passing[m.0 as usize])
     }
 
     /// Does the surface of a leaf stop all light?
     pub(crate) fn stops_at(&self, leaf: u32) -> bool {
-        self.geometry.plain_material(leaf).is_some_and(|material| self.opaque[material.0 as usize])
+        self.passing(leaf) == Passing::Nothing
     }
 
-    /// Do photons bring what a surface lets through of a light?
-    pub(crate) fn photons_replace(&self, hit: &Hit, light: &PhotonFlags) -> bool {
-        let material = &self.geometry.materials[self.geometry.material_at(hit).0 as usize];
+    /// Do photons bring what the surface of a leaf lets through of a light?
+    pub(crate) fn photons_replace(&self, leaf: u32, light: &PhotonFlags) -> bool {
+        let material = &self.geometry.materials[self.geometry.material_at(leaf).0 as usize];
         photons::replaces_light(&material.photons, light)
     }
 
@@ -223,10 +234,27 @@ fn compile_textures(geometry: &Geometry, noise: Noise) -> (Vec<WorldTexture>, bo
     (placed.iter().zip(compiled).map(at_place).collect(), asks_uv)
 }
 
-fn opaque_materials(geometry: &Geometry, textures: &[WorldTexture]) -> Vec<bool> {
-    let opaque = |id: TextureId| textures[id.0 as usize].texture.is_opaque();
-    let all = |m: &Material| m.texture.is_some_and(opaque) && m.interior_texture.is_none_or(opaque);
-    geometry.materials.iter().map(all).collect()
+fn passing_materials(
+    geometry: &Geometry,
+    textures: &[WorldTexture],
+    interiors: &[WorldInterior],
+) -> Vec<Passing> {
+    let of = |id: TextureId| {
+        let texture = &textures[id.0 as usize].texture;
+        match texture.transmission() {
+            _ if texture.is_opaque() => Passing::Nothing,
+            Some(share) => Passing::Always(share),
+            None => Passing::Varies,
+        }
+    };
+    let passing = |m: &Material| {
+        let outside = m.texture.map_or(Passing::Varies, of);
+        // Caustics depend on the angle.
+        let bright = interiors[m.interior.0 as usize].interior.caustics != 0.0;
+        let varies = m.interior_texture.is_some_and(|inside| of(inside) != outside);
+        if varies || (bright && outside != Passing::Nothing) { Passing::Varies } else { outside }
+    };
+    geometry.materials.iter().map(passing).collect()
 }
 
 fn compile_interiors(geometry: &Geometry, rules: &Rules, subsurface: bool) -> Vec<WorldInterior> {

@@ -120,6 +120,14 @@ impl Pigment {
         self.opaque
     }
 
+    /// The colour of a pigment that has but one.
+    pub fn solid(&self) -> Option<Color> {
+        match self.kind {
+            Kind::Solid(color) => Some(color),
+            _ => None,
+        }
+    }
+
     /// The colour for low quality.
     pub fn quick_color(&self) -> Option<Color> {
         self.quick_color

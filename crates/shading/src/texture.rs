@@ -1,6 +1,7 @@
 //! Textures: layers, and choices between textures (textures spec, section 9). Lighting them is not done here.
 use std::sync::Arc;
 
+use raggio_image::Rgb;
 use raggio_math::Vec3;
 use raggio_scene::{self as scene, PatternKind, TextureKind};
 
@@ -103,6 +104,17 @@ impl Texture {
             Texture::Layers(layers) => layers.iter().any(|layer| layer.pigment.is_opaque()),
             Texture::Map(map) => map.is_opaque(),
             Texture::Uv(inner) => inner.is_opaque(),
+        }
+    }
+
+    /// What it lets through of light, where that is the same everywhere.
+    pub fn transmission(&self) -> Option<Rgb> {
+        match self {
+            Texture::Layers(layers) => {
+                let each = layers.iter().map(|layer| layer.pigment.solid().map(|color| color.transmission()));
+                each.into_iter().try_fold(Rgb::ONE, |product, share| Some(product * share?))
+            }
+            Texture::Map(_) | Texture::Uv(_) => None,
         }
     }
 }

@@ -1,15 +1,38 @@
 //! Shadow rays: what reaches a surface point of a light (light spec, section 5.4).
-use raggio_geometry::{Hit, Interaction, RayClass, Shaft, Standing};
+use std::cmp::Reverse;
+
+use raggio_geometry::{Hit, Interaction, InteriorId, Obstacles, RayClass, Shaft, Standing};
 use raggio_image::Rgb;
 use raggio_math::{Ray, Vec3};
+use raggio_scene::PhotonFlags;
 use raggio_shading::{Context, Layer};
+use smallvec::SmallVec;
 
 use super::area::{AreaGrid, View};
 use super::{LightSource, Path};
 use crate::integrator::{Interiors, NormalPath, Tracer, copied, fade, for_each_plain, placed, toggle};
+use crate::world::{Passing, World};
 
 /// Nearer than this to either end of a segment nothing casts a shadow.
 pub const SHADOW_TOLERANCE: f64 = 1e-3;
+
+/// A surface that a shadow ray goes through.
+struct Crossing {
+    t: f64,
+    /// What the surface lets through.
+    share: Rgb,
+    leaf: u32,
+    interior: InteriorId,
+}
+
+/// What a shadow ray goes through, in the order in which it was found.
+struct Crossings<'a> {
+    world: &'a World,
+    ray: &'a Ray,
+    /// Set where photons bring the light of surfaces that are their targets.
+    replaced: Option<&'a PhotonFlags>,
+    list: SmallVec<[Crossing; 6]>,
+}
 
 impl Tracer<'_> {
     /// What is left of `light` at `p` after everything between it and the source. Area lights give their mean. Where
@@ -69,79 +92,111 @@ impl Tracer<'_> {
         empty || !source.media_attenuation || !self.quality.volume()
     }
 
-    /// Follows one shadow ray from surface to surface.
+    /// Follows one shadow ray through all surfaces on its way.
     fn walk_to_light(
         &mut self,
         source: &LightSource,
         p: Vec3,
         path: &Path,
-        mut light: Rgb,
+        light: Rgb,
         interiors: &Interiors,
         collects: bool,
         standing: &Standing,
     ) -> Rgb {
         let world = self.world;
-        let replaced = collects && self.photons.as_ref().is_some_and(|photons| photons.on_surfaces());
-        let stops =
-            |hit: &Hit| world.stops_light(hit) || (replaced && world.photons_replace(hit, &source.photons));
-        let mut ray = Ray::new(p, path.dir);
-        let mut left = path.distance;
+        let ray = Ray::new(p, path.dir);
+        let mut distance = path.distance;
         if let Some(window) = &source.projected_through {
-            match window.closest(&ray, (0.0, left), RayClass::Any) {
+            match window.closest(&ray, (0.0, distance), RayClass::Any) {
                 None => return Rgb::ZERO,
                 Some(_) if source.shadowless => return light,
-                Some(hit) => left = hit.t,
+                Some(hit) => distance = hit.t,
+            }
+        }
+        let replaced = collects && self.photons.as_ref().is_some_and(|photons| photons.on_surfaces());
+        let replaced = replaced.then_some(&source.photons);
+        let mut crossings = Crossings { world, ray: &ray, replaced, list: SmallVec::new() };
+        if distance > 2.0 * SHADOW_TOLERANCE {
+            let range = (SHADOW_TOLERANCE, distance - SHADOW_TOLERANCE);
+            let guess = &mut self.blockers[source.index];
+            let geometry = &world.geometry;
+            if geometry.is_stopped(&ray, range, SHADOW_TOLERANCE, standing, guess, &mut crossings) {
+                return Rgb::ZERO;
             }
         }
         let hazy = world.any_media && self.quality.volume();
         let misty = source.media_attenuation && self.quality.volume();
-        let mut list: Option<Interiors> = None;
-        let mut guess = self.blockers[source.index];
-        while left > 2.0 * SHADOW_TOLERANCE {
-            let range = (SHADOW_TOLERANCE, left - SHADOW_TOLERANCE);
-            let Some(hit) =
-                world.geometry.blocker(&ray, range, RayClass::Shadow, standing, &mut guess, stops)
-            else {
-                break;
-            };
-            if stops(&hit) {
-                self.blockers[source.index] = guess;
-                return Rgb::ZERO;
+        if crossings.list.is_empty() && !misty {
+            return light;
+        }
+        let list = crossings.sorted();
+        self.through(source, &ray, distance, light, interiors, list, (hazy, misty))
+    }
+
+    /// What is left of light after the surfaces on its way and what lies between them: media where it is `hazy`, and
+    /// those of empty space where it is `misty`.
+    fn through(
+        &mut self,
+        source: &LightSource,
+        ray: &Ray,
+        distance: f64,
+        mut light: Rgb,
+        interiors: &Interiors,
+        crossings: &[Crossing],
+        (hazy, misty): (bool, bool),
+    ) -> Rgb {
+        let world = self.world;
+        let mut inside = copied(interiors);
+        let mut ray = *ray;
+        let mut at = 0.0;
+        for crossing in crossings {
+            let way = crossing.t - at;
+            if way <= SHADOW_TOLERANCE && at > 0.0 {
+                continue;
             }
-            let surface = world.geometry.interaction(&ray, &hit);
-            let inside = list.get_or_insert_with(|| copied(interiors));
-            light *= self.filter(&ray, hit.t, &surface, inside);
-            if light == Rgb::ZERO {
-                return light;
+            light *= crossing.share;
+            let interior = &world.interior(crossing.interior).interior;
+            if interior.fade_power > 0.0 && inside.contains(&crossing.interior) {
+                light *= fade(interior, way);
             }
             if hazy && !inside.is_empty() {
-                light *= self.media_filter(inside, &ray, hit.t);
+                light *= self.media_filter(&inside, &ray, way);
             }
-            if misty && world.all_hollow(inside) {
-                light *= self.air_filter(source, &ray, hit.t);
+            if misty && world.all_hollow(&inside) {
+                light *= self.air_filter(source, &ray, way);
             }
-            toggle(inside, world.material(&surface).interior);
-            ray.origin = surface.p;
-            left -= hit.t;
+            toggle(&mut inside, crossing.interior);
+            ray.origin += ray.dir * way;
+            at = crossing.t;
         }
-        let open = || world.all_hollow(list.as_ref().unwrap_or(interiors));
-        if misty && left > SHADOW_TOLERANCE && open() {
+        let left = distance - at;
+        if misty && left > SHADOW_TOLERANCE && world.all_hollow(&inside) {
             light *= self.air_filter(source, &ray, left);
         }
         light
     }
 
-    /// What a surface lets through of light (all layers of all its textures), with the fading of the way before it.
-    fn filter(&self, ray: &Ray, depth: f64, surface: &Interaction, list: &Interiors) -> Rgb {
-        let material = self.world.material(surface);
+    /// What fog and the media of empty space leave of light.
+    fn air_filter(&mut self, source: &LightSource, ray: &Ray, depth: f64) -> Rgb {
+        let mut left = Rgb::ONE;
+        if source.media_interaction && !self.world.air.is_empty() {
+            left *= self.dimmed_by(&[&self.world.air], ray, depth);
+        }
+        left * self.world.sky.fog_filter(ray, depth)
+    }
+}
+
+impl World {
+    /// What a surface lets through of light: all layers of all its textures.
+    fn filter(&self, ray: &Ray, surface: &Interaction) -> Rgb {
+        let material = self.material(surface);
         let n = if surface.from_inside { -surface.n } else { surface.n };
         let context = Context { normal: Some(n), point: surface.p, ray_dir: ray.dir, uv: surface.uv };
         let uv = material.uv_mapping.then_some(surface.uv);
-        let interior = &self.world.interior(material.interior).interior;
-        let caustics = f64::from(interior.caustics) * 45.0;
+        let caustics = f64::from(self.interior(material.interior).interior.caustics) * 45.0;
         let mut sum = Rgb::ZERO;
         for used in &surface.textures {
-            let texture = self.world.texture(used.texture);
+            let texture = self.texture(used.texture);
             let (path, p) = placed(texture, surface.p, uv);
             for_each_plain(
                 &texture.texture,
@@ -154,19 +209,44 @@ impl Tracer<'_> {
                 },
             );
         }
-        if interior.fade_power > 0.0 && list.contains(&material.interior) && sum != Rgb::ZERO {
-            sum *= fade(interior, depth);
-        }
         sum
     }
+}
 
-    /// What fog and the media of empty space leave of light.
-    fn air_filter(&mut self, source: &LightSource, ray: &Ray, depth: f64) -> Rgb {
-        let mut left = Rgb::ONE;
-        if source.media_interaction && !self.world.air.is_empty() {
-            left *= self.dimmed_by(&[&self.world.air], ray, depth);
+impl Crossings<'_> {
+    /// The surfaces from the point to the light. Of equally near ones of an object that is first which is seen.
+    fn sorted(&mut self) -> &[Crossing] {
+        if self.list.len() > 1 {
+            let rank = |crossing: &Crossing| Reverse(self.world.geometry.rank(crossing.leaf));
+            self.list.sort_unstable_by(|a, b| a.t.total_cmp(&b.t).then_with(|| rank(a).cmp(&rank(b))));
         }
-        left * self.world.sky.fog_filter(ray, depth)
+        &self.list
+    }
+}
+
+impl Obstacles for Crossings<'_> {
+    #[inline]
+    fn stops(&self, leaf: u32) -> bool {
+        self.world.stops_at(leaf)
+            || self.replaced.is_some_and(|flags| self.world.photons_replace(leaf, flags))
+    }
+
+    #[inline]
+    fn is_plain(&self, leaf: u32) -> bool {
+        self.world.passing(leaf) != Passing::Varies
+    }
+
+    #[inline]
+    fn meets(&mut self, hit: &Hit) -> bool {
+        let share = match self.world.passing(hit.leaf) {
+            Passing::Nothing => return true,
+            Passing::Always(share) => share,
+            Passing::Varies => self.world.filter(self.ray, &self.world.geometry.interaction(self.ray, hit)),
+        };
+        let material = self.world.geometry.material_at(hit.leaf);
+        let interior = self.world.geometry.materials[material.0 as usize].interior;
+        self.list.push(Crossing { t: hit.t, share, leaf: hit.leaf, interior });
+        share == Rgb::ZERO
     }
 }
 
