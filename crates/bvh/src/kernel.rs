@@ -1,7 +1,8 @@
 //! The test of one ray against a node's eight boxes: scalar and AVX2, with the same results.
 #![allow(unsafe_code)]
 
-use raggio_math::Ray;
+use raggio_math::{Ray, Vec3};
+use wide::f32x4;
 
 use crate::node::{Node, WIDTH};
 
@@ -18,61 +19,79 @@ const ORIGIN_REACH: f32 = 1.0 / (1 << 22) as f32;
 const LEAST_REACH: f32 = 1e-28;
 
 /// Origins and directions beyond this overflow single precision.
-const FAR: f64 = 1e37;
+const FAR: f32 = 1e37;
+
+/// By the set of axes along which a ray goes backwards: which of a node's sides it enters by; by the other axes' set,
+/// which it leaves by.
+static SIDES: [[usize; 3]; 8] = sides();
+
+const fn sides() -> [[usize; 3]; 8] {
+    let mut table = [[0; 3]; 8];
+    let mut set = 0;
+    while set < 8 {
+        table[set] = [3 * (set & 1), 1 + 3 * (set >> 1 & 1), 2 + 3 * (set >> 2)];
+        set += 1;
+    }
+    table
+}
 
 /// A ray made ready for box tests, good for any number of trees in the same space. The origin is kept rounded both ways,
 /// so that each box can only seem larger.
 #[derive(Clone, Copy, Debug)]
 pub struct Slab {
     /// Origin as used for the sides where the ray enters.
-    pub(crate) origin_near: [f32; 3],
+    pub(crate) origin_near: [f32; 4],
     /// Origin as used for the sides where it leaves.
-    pub(crate) origin_far: [f32; 3],
-    pub(crate) inverse: [f32; 3],
+    pub(crate) origin_far: [f32; 4],
+    pub(crate) inverse: [f32; 4],
     /// Which of a node's `sides` the ray enters by.
-    pub(crate) near: [usize; 3],
-    pub(crate) far: [usize; 3],
+    pub(crate) near: &'static [usize; 3],
+    pub(crate) far: &'static [usize; 3],
     /// Rays with an infinite or undefined part touch nothing.
     pub(crate) finite: bool,
+}
+
+/// A vector in single precision.
+#[inline]
+fn single(v: Vec3) -> f32x4 {
+    f32x4::new([v.x as f32, v.y as f32, v.z as f32, 0.0])
 }
 
 impl Slab {
     /// Prepares a ray.
     #[inline]
     pub fn new(ray: &Ray) -> Self {
-        let within = |v: raggio_math::Vec3| v.abs().cmplt(raggio_math::Vec3::splat(FAR)).all();
-        let mut slab = Slab {
-            // No comparison holds for what is not a number.
-            finite: within(ray.origin) && within(ray.dir),
-            origin_near: [0.0; 3],
-            origin_far: [0.0; 3],
-            inverse: [0.0; 3],
-            near: [0, 1, 2],
-            far: [3, 4, 5],
-        };
-        for k in 0..3 {
-            // A direction of -0 counts as backwards throughout.
-            let (origin, dir) = (ray.origin[k] as f32, ray.dir[k] as f32);
-            slab.inverse[k] = (1.0 / dir).clamp(-MAX_INVERSE, MAX_INVERSE);
-            // More than the rounding to single precision may have done.
-            let reach = (origin.abs() * ORIGIN_REACH + LEAST_REACH).copysign(dir);
-            (slab.origin_near[k], slab.origin_far[k]) = (origin + reach, origin - reach);
-            let side = 3 * (dir.to_bits() >> 31) as usize;
-            (slab.near[k], slab.far[k]) = (k + side, k + 3 - side);
+        let (origin, dir) = (single(ray.origin), single(ray.dir));
+        // No comparison holds for what is not a number.
+        let within = |v: f32x4| v.abs().simd_lt(f32x4::splat(FAR)).all();
+        let sign = f32x4::splat(-0.0);
+        // More than the rounding to single precision may have done. A direction of -0 counts as backwards throughout.
+        let reach = origin.abs() * f32x4::splat(ORIGIN_REACH) + f32x4::splat(LEAST_REACH);
+        let reach = reach | (dir & sign);
+        let most = f32x4::splat(MAX_INVERSE);
+        let inverse = (f32x4::ONE / dir).fast_min(most).fast_max(-most);
+        let backwards = (dir.to_bitmask() & 7) as usize;
+        Slab {
+            origin_near: (origin + reach).to_array(),
+            origin_far: (origin - reach).to_array(),
+            inverse: inverse.to_array(),
+            near: &SIDES[backwards],
+            far: &SIDES[7 - backwards],
+            finite: within(origin) && within(dir),
         }
-        slab
     }
 
     /// A ray that is in single precision already.
     #[inline(always)]
     pub(crate) fn exact(origin: [f32; 3], inverse: [f32; 3]) -> Self {
-        let side = |k: usize, far: bool| k + 3 * usize::from((inverse[k] < 0.0) != far);
+        let four = |v: [f32; 3]| [v[0], v[1], v[2], 0.0];
+        let backwards = (0..3).fold(0, |set, k| set | usize::from(inverse[k] < 0.0) << k);
         Slab {
-            origin_near: origin,
-            origin_far: origin,
-            inverse,
-            near: [side(0, false), side(1, false), side(2, false)],
-            far: [side(0, true), side(1, true), side(2, true)],
+            origin_near: four(origin),
+            origin_far: four(origin),
+            inverse: four(inverse),
+            near: &SIDES[backwards],
+            far: &SIDES[7 - backwards],
             finite: true,
         }
     }

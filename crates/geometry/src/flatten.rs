@@ -22,6 +22,7 @@ pub(crate) struct Flat {
     pub(crate) groups: Vec<Group>,
     /// The outermost union.
     pub(crate) world: Group,
+    pub(crate) few: Vec<Member>,
     pub(crate) bounds: Aabb,
     pub(crate) materials: Materials,
     pub(crate) lights: Vec<PlacedLight>,
@@ -74,8 +75,23 @@ pub(crate) fn flatten(objects: &[Arc<Object>], keep_all_bounds: bool) -> Result<
     let mut world = group(Op::Union, &members, &walk.leaves, Vec::new(), Vec::new());
     // Among top-level objects, what POV-Ray shows depends on how its tree of boxes came out.
     world.ranked = false;
+    let few = few(&members, &walk.leaves);
     let Walk { leaves, groups, materials, lights, parts, .. } = walk;
-    Ok(Flat { leaves, groups, world, bounds, materials, lights, parts })
+    Ok(Flat { leaves, groups, world, few, bounds, materials, lights, parts })
+}
+
+/// The members of a world of so few and so simple leaves that boxes are not worth asking, those without bounds first;
+/// nothing for other worlds.
+fn few(members: &[Built], leaves: &Leaves) -> Vec<Member> {
+    const MOST: usize = 3;
+    const MOST_COST: u32 = 2;
+    let simple = |m: &Built| m.member.node.is_leaf() && leaves.cost(m.member.node) <= MOST_COST;
+    if members.len() > MOST || !members.iter().all(simple) {
+        return Vec::new();
+    }
+    let mut order: Vec<&Built> = members.iter().collect();
+    order.sort_by_key(|m| m.surface.is_finite());
+    order.into_iter().map(|m| m.member).collect()
 }
 
 impl Walk {

@@ -329,6 +329,7 @@ impl Tree {
     }
 
     /// A ray is shot at the group only if it starts inside every bound or hits it (shapes spec, section 1.4).
+    #[inline]
     fn within_bounds(&self, group: &Group, probe: &Probe, scratch: &mut Scratch) -> bool {
         group.bounds.iter().all(|&bound| {
             self.inside(bound, probe.ray.origin)

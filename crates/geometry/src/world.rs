@@ -10,7 +10,7 @@ use crate::probe::Probe;
 use crate::shaft::{Shaft, Standing};
 use crate::shapes::ShapeKind;
 use crate::texturing::{Parts, Texturing};
-use crate::tree::{Group, Node, NodeRef, Scratch, Tree};
+use crate::tree::{Group, Member, Node, NodeRef, Scratch, Tree};
 
 /// Index of a [`Material`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -175,6 +175,8 @@ pub struct Geometry {
     pub(crate) tree: Tree,
     /// The outermost union.
     pub(crate) world: Group,
+    /// All of the world, if it is a few simple leaves: asked without their boxes.
+    pub(crate) few: Vec<Member>,
     bounds: Aabb,
     parts: Parts,
 }
@@ -198,7 +200,7 @@ impl Geometry {
     }
 
     fn new(flat: Flat) -> Self {
-        let Flat { leaves, groups, world, bounds, materials, lights, parts } = flat;
+        let Flat { leaves, groups, world, few, bounds, materials, lights, parts } = flat;
         Geometry {
             materials: materials.materials,
             textures: materials.textures,
@@ -207,6 +209,7 @@ impl Geometry {
             asks_uv: true,
             tree: Tree { leaves, groups },
             world,
+            few,
             bounds,
             parts,
         }
@@ -216,8 +219,22 @@ impl Geometry {
     /// [`MIN_HIT`] or farther than [`MAX_DISTANCE`] is ever hit.
     pub fn closest(&self, ray: &Ray, range: (f64, f64), class: RayClass) -> Option<Hit> {
         let range = (range.0.max(MIN_HIT), range.1.min(MAX_DISTANCE));
+        if !self.few.is_empty() {
+            return self.closest_of_few(ray, range, class);
+        }
         let mut scratch = Scratch::default();
         self.tree.group_closest(&self.world, &Probe::new(ray), range, class.bit(), &mut scratch, &|_| false)
+    }
+
+    /// [`Geometry::closest`] in a world of a few leaves.
+    fn closest_of_few(&self, ray: &Ray, range: (f64, f64), class: RayClass) -> Option<Hit> {
+        let mut best: Option<Hit> = None;
+        for member in self.few.iter().filter(|member| member.skip & class.bit() == 0) {
+            let Node::Leaf(leaf) = member.node.node() else { continue };
+            let far = best.map_or(range.1, |hit| hit.t);
+            best = self.tree.leaves.closest(leaf, ray, (range.0, far), &|_| false).or(best);
+        }
+        best
     }
 
     /// The maximal gradients of isosurfaces that are too low for what rays have met so far, each with the steeper one

@@ -1,10 +1,11 @@
 //! The colour of a surface point: all its textures, then the media before it (light spec, section 3.2).
-use raggio_geometry::{Hit, Interaction, Material};
+use raggio_geometry::{Hit, Interaction, Material, TextureUse};
 use raggio_image::Rgb;
 use raggio_math::Vec3;
-use raggio_shading::Context;
+use raggio_shading::{Context, Layer, Texture};
 
 use super::{Beam, Seen, Tracer, for_each_plain, placed};
+use crate::world::WorldTexture;
 
 /// A surface point in work.
 pub struct SurfacePoint<'a> {
@@ -20,8 +21,8 @@ pub struct SurfacePoint<'a> {
     pub n: Vec3,
     /// Which lights shine on it.
     pub lights: &'a [u32],
-    /// Where its part of the tracer's list of arriving light begins.
-    pub arriving: usize,
+    /// Where its part of the tracer's list of arriving light begins, if more than one layer asks for that light.
+    pub arriving: Option<usize>,
 }
 
 impl SurfacePoint<'_> {
@@ -36,15 +37,18 @@ impl SurfacePoint<'_> {
     }
 }
 
-impl Tracer<'_> {
+impl<'w> Tracer<'w> {
     /// What a ray sees that hit a surface.
     pub(super) fn surface(&mut self, beam: &Beam, hit: &Hit) -> Seen {
         let world = self.world;
         let surface = world.geometry.interaction(&beam.ray, hit);
         let material = world.material(&surface);
         let lights = world.light_sets.of(material);
-        let arriving = self.arriving.len();
-        self.arriving.resize(arriving + lights.len(), None);
+        let alone = self.single_layer(&surface);
+        let known = self.arriving.len();
+        if alone.is_none() {
+            self.arriving.resize(known + lights.len(), None);
+        }
         let point = SurfacePoint {
             beam,
             depth: hit.t,
@@ -52,14 +56,32 @@ impl Tracer<'_> {
             surface: &surface,
             material,
             lights,
-            arriving,
+            arriving: alone.is_none().then_some(known),
         };
-        let mut seen = self.textures(&point);
-        self.arriving.truncate(arriving);
+        let mut seen = match alone {
+            Some((texture, layers)) => {
+                let context = point.context();
+                let uv = material.uv_mapping.then_some(surface.uv);
+                let (path, p) = placed(texture, surface.p, uv);
+                self.layers(&point, layers, p, &path, &context)
+            }
+            None => self.textures(&point),
+        };
+        self.arriving.truncate(known);
         if world.any_media && self.quality.volume() && !beam.interiors.is_empty() {
             self.contained_media(beam, hit.t, lights, &mut seen);
         }
         seen
+    }
+
+    /// The texture of a surface that has but one, of one layer.
+    fn single_layer(&self, surface: &Interaction) -> Option<(&'w WorldTexture, &'w [Layer])> {
+        let [TextureUse { texture, weight: 1.0 }] = surface.textures[..] else { return None };
+        let texture = self.world.texture(texture);
+        match &*texture.texture {
+            Texture::Layers(layers) if layers.len() == 1 => Some((texture, layers)),
+            _ => None,
+        }
     }
 
     /// The weighted sum over all textures of a point.
@@ -97,11 +119,12 @@ impl Tracer<'_> {
         i: usize,
         work_out: impl FnOnce(&mut Self) -> Rgb,
     ) -> Rgb {
-        if let Some(known) = self.arriving[point.arriving + i] {
+        let Some(start) = point.arriving else { return work_out(self) };
+        if let Some(known) = self.arriving[start + i] {
             return known;
         }
         let value = work_out(self);
-        self.arriving[point.arriving + i] = Some(value);
+        self.arriving[start + i] = Some(value);
         value
     }
 }

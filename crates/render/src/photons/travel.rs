@@ -89,7 +89,7 @@ impl Tracer<'_> {
             surface: &surface,
             material,
             lights: &[],
-            arriving: 0,
+            arriving: None,
         };
         self.level += 1;
         let next = Flight { pair: flight.pair, beam: beam.clone(), power, way, straight: false };

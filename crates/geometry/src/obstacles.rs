@@ -1,0 +1,181 @@
+//! What a shadow ray meets on its way, found in one walk through the boxes.
+use raggio_math::{MAX_DISTANCE, MIN_HIT, Ray};
+use smallvec::SmallVec;
+
+use crate::index::ENOUGH;
+use crate::probe::Probe;
+use crate::shaft::Standing;
+use crate::solid::Solid;
+use crate::tree::{Member, Node, NodeRef, Scratch};
+use crate::{Geometry, Hit, RayClass};
+
+/// Who follows a shadow ray.
+pub trait Obstacles {
+    /// Does the surface of a leaf stop the ray wherever it is hit?
+    fn stops(&self, leaf: u32) -> bool;
+    /// Is the distance all that [`Obstacles::meets`] asks of the hits of a leaf? Their [`Hit::local`] may be left out.
+    fn is_plain(&self, leaf: u32) -> bool;
+    /// Takes note of a hit, in any order; says whether it stops the ray.
+    fn meets(&mut self, hit: &Hit) -> bool;
+}
+
+/// What stopped the last shadow ray: see [`Geometry::is_stopped`]. Only speed depends on it.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct BlockerGuess {
+    member: Option<u32>,
+}
+
+/// A shadow ray under way.
+struct Way<'a> {
+    probe: &'a Probe,
+    range: (f64, f64),
+    /// Of one object's surfaces nearer to each other than this only the first is met.
+    gap: f64,
+}
+
+impl Geometry {
+    /// Is a shadow ray stopped between `range.0` and `range.1`? Only what is `standing` in the way is asked. If nothing
+    /// stops it, `obstacles` has met every surface in the range; of one object's surfaces that lie nearer to each other
+    /// than `gap` perhaps only the first. `guess` remembers what stopped the last ray that was asked with it and is
+    /// tried first; keep one for each light.
+    pub fn is_stopped(
+        &self,
+        ray: &Ray,
+        range: (f64, f64),
+        gap: f64,
+        standing: &Standing,
+        guess: &mut BlockerGuess,
+        obstacles: &mut impl Obstacles,
+    ) -> bool {
+        let range = (range.0.max(MIN_HIT), range.1.min(MAX_DISTANCE));
+        let mut stops = |member: &Member| match member.node.node() {
+            Node::Leaf(leaf) if member.skip & RayClass::Shadow.bit() == 0 => {
+                self.leaf_stops(leaf, ray, range, gap, obstacles)
+            }
+            _ => false,
+        };
+        match standing {
+            Standing::Anything if !self.few.is_empty() => return self.few.iter().any(stops),
+            Standing::Listed(list) if list.bare => {
+                return list.members().iter().any(|&m| stops(&self.world.members[m as usize]));
+            }
+            _ => {}
+        }
+        let way = Way { probe: &Probe::new(ray), range, gap };
+        let mut scratch = Scratch::default();
+        let stands = |m: &u32| match standing {
+            Standing::Anything => (*m as usize) < self.world.members.len(),
+            Standing::Listed(list) => list.holds(*m),
+        };
+        let tried = guess.member.filter(stands);
+        if tried.is_some_and(|member| self.member_stops(member, &way, &mut scratch, obstacles)) {
+            return true;
+        }
+        let mut ask = |member: u32| {
+            let stopped = tried != Some(member) && self.member_stops(member, &way, &mut scratch, obstacles);
+            if stopped {
+                guess.member = Some(member);
+            }
+            stopped
+        };
+        match standing {
+            Standing::Anything => {
+                let mut stopped = false;
+                self.world.surfaces.closest(way.probe, range, |member, _, _| {
+                    stopped = ask(member);
+                    stopped.then_some(ENOUGH)
+                });
+                stopped
+            }
+            Standing::Listed(list) => {
+                let mut touched = list.boxes.touched(&way.probe.slab, range);
+                std::iter::from_fn(|| touched.next(range.1)).any(|touch| ask(list.member(touch.place)))
+            }
+        }
+    }
+
+    /// Of two hits at the same distance that of the higher rank is seen.
+    pub fn rank(&self, leaf: u32) -> u32 {
+        self.tree.leaves.leaves[leaf as usize].rank
+    }
+
+    fn member_stops(
+        &self,
+        member: u32,
+        way: &Way<'_>,
+        scratch: &mut Scratch,
+        obstacles: &mut impl Obstacles,
+    ) -> bool {
+        let member = &self.world.members[member as usize];
+        if member.skip & RayClass::Shadow.bit() != 0 {
+            return false;
+        }
+        let group = match member.node.node() {
+            Node::Leaf(leaf) => {
+                return self.leaf_stops(leaf, &way.probe.ray, way.range, way.gap, obstacles);
+            }
+            Node::Group(group) => &self.tree.groups[group as usize],
+        };
+        let swept = group.solid.as_ref().and_then(|solid| self.solid_stops(solid, way, obstacles));
+        swept.unwrap_or_else(|| self.group_stops(member.node, way, scratch, obstacles))
+    }
+
+    #[inline]
+    fn leaf_stops(
+        &self,
+        leaf: u32,
+        ray: &Ray,
+        mut range: (f64, f64),
+        gap: f64,
+        obstacles: &mut impl Obstacles,
+    ) -> bool {
+        let stops = obstacles.stops(leaf);
+        while range.0 < range.1 {
+            let Some(hit) = self.tree.leaves.closest(leaf, ray, range, &|_| stops) else { return false };
+            if stops || obstacles.meets(&hit) {
+                return true;
+            }
+            range.0 = hit.t + gap;
+        }
+        false
+    }
+
+    /// `None` where the sweep cannot tell.
+    fn solid_stops(&self, solid: &Solid, way: &Way<'_>, obstacles: &mut impl Obstacles) -> Option<bool> {
+        let mut hits: SmallVec<[Hit; 6]> = SmallVec::new();
+        let mut stopped = false;
+        let ray = &way.probe.ray;
+        solid.sweep(&self.tree, ray, way.range, |end| {
+            stopped = obstacles.stops(end.leaf());
+            if !stopped {
+                hits.push(if obstacles.is_plain(end.leaf()) {
+                    end.bare()
+                } else {
+                    end.hit(&self.tree, ray)?
+                });
+            }
+            Some(!stopped)
+        })?;
+        Some(stopped || hits.iter().any(|hit| obstacles.meets(hit)))
+    }
+
+    fn group_stops(
+        &self,
+        node: NodeRef,
+        way: &Way<'_>,
+        scratch: &mut Scratch,
+        obstacles: &mut impl Obstacles,
+    ) -> bool {
+        let mut range = way.range;
+        while range.0 < range.1 {
+            let stops = |hit: &Hit| obstacles.stops(hit.leaf);
+            let found = self.tree.closest(node, way.probe, range, RayClass::Shadow.bit(), scratch, &stops);
+            let Some(hit) = found else { return false };
+            if obstacles.stops(hit.leaf) || obstacles.meets(&hit) {
+                return true;
+            }
+            range.0 = hit.t + way.gap;
+        }
+        false
+    }
+}
