@@ -154,6 +154,14 @@ impl Pigment {
         self.opaque
     }
 
+    /// Its colour, where that is the same everywhere.
+    pub fn even_color(&self) -> Option<Color> {
+        match &self.kind {
+            Kind::Solid(color) => Some(*color),
+            _ => None,
+        }
+    }
+
     /// The colour for low quality.
     pub fn quick_color(&self) -> Option<Color> {
         self.quick_color
