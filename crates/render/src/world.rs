@@ -241,7 +241,7 @@ fn passing_materials(
 ) -> Vec<Passing> {
     let of = |id: TextureId| {
         let texture = &textures[id.0 as usize].texture;
-        match texture.transmission() {
+        match texture.even_transmission() {
             _ if texture.is_opaque() => Passing::Nothing,
             Some(share) => Passing::Always(share),
             None => Passing::Varies,

@@ -98,23 +98,18 @@ impl Texture {
         (compiled, compiler.asks_uv)
     }
 
+    /// The light that it lets through, where that is the same everywhere.
+    pub fn even_transmission(&self) -> Option<Rgb> {
+        let Texture::Layers(layers) = self else { return None };
+        layers.iter().map(|layer| Some(layer.pigment.even_color()?.transmission())).product()
+    }
+
     /// Does every part of it stop all light?
     pub fn is_opaque(&self) -> bool {
         match self {
             Texture::Layers(layers) => layers.iter().any(|layer| layer.pigment.is_opaque()),
             Texture::Map(map) => map.is_opaque(),
             Texture::Uv(inner) => inner.is_opaque(),
-        }
-    }
-
-    /// What it lets through of light, where that is the same everywhere.
-    pub fn transmission(&self) -> Option<Rgb> {
-        match self {
-            Texture::Layers(layers) => {
-                let each = layers.iter().map(|layer| layer.pigment.solid().map(|color| color.transmission()));
-                each.into_iter().try_fold(Rgb::ONE, |product, share| Some(product * share?))
-            }
-            Texture::Map(_) | Texture::Uv(_) => None,
         }
     }
 }
