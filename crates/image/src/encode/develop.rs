@@ -1,8 +1,12 @@
 //! From light to whole numbers: alpha, gamma, dithering, rounding (language spec, sections 5.5 and 5.6).
 use super::dither::{Rounder, rounded};
+use super::parallel::in_parallel;
 use super::steps::Steps;
 use super::{EncodeOptions, Picture};
 use crate::{Bitmap, Curve, FileCurve, Format, Pixels, Rgb, grey};
+
+/// So many pixels are worth a thread's while.
+const PIECE: usize = 1 << 16;
 
 /// Turns a picture into the numbers of a file of 8 or 16 bits per channel.
 pub fn develop(picture: &Picture, options: &EncodeOptions) -> Bitmap {
@@ -25,8 +29,12 @@ pub fn develop(picture: &Picture, options: &EncodeOptions) -> Bitmap {
     };
     if bits == 8 && !wide && !has_alpha && !is_grey && options.dither.is_none() {
         let steps = Steps::new(|v| options.working.map_or(v, |working| working.convert(options.file, v)));
-        let bytes = picture.pixels.iter().map(|&[r, g, b, _]| [r, g, b].map(|v| steps.byte(v)));
-        return bitmap(Pixels::Rgb8(bytes.collect()));
+        let pieces: Vec<_> = picture.pixels.chunks(PIECE).collect();
+        let bytes = in_parallel(pieces.len(), options.threads, |i| {
+            let byte = |&[r, g, b, _]: &[f32; 4]| [steps.byte(r), steps.byte(g), steps.byte(b)];
+            pieces[i].iter().map(byte).collect::<Vec<_>>()
+        });
+        return bitmap(Pixels::Rgb8(bytes.concat()));
     }
 
     let pixels: Vec<[f32; 4]> =
