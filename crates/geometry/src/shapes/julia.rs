@@ -9,6 +9,9 @@ use super::collect::{Collect, searched_from};
 use super::hypercomplex::{self, Hypercomplex};
 use super::quaternion;
 use crate::{LocalHit, Surface};
+use proved::{Proof, Proved};
+
+pub(super) mod proved;
 
 const LEAST: f64 = 1e-7;
 /// Borders are found to this.
@@ -28,6 +31,8 @@ pub(crate) struct Julia {
     /// Radius of the ball that holds the set, and the square of the radius at which an orbit escapes.
     radius: f64,
     escape: f64,
+    /// Where no march is needed; `None` for maps of which nothing is proved.
+    proved: Option<Proved>,
 }
 
 /// What an orbit repeats.
@@ -37,9 +42,19 @@ enum Map {
     Hypercomplex(hypercomplex::Map),
 }
 
+impl Map {
+    /// Is anything known of what it does to balls?
+    fn can_prove(self) -> bool {
+        !matches!(self, Map::Hypercomplex(hypercomplex::Map::Function(_)))
+    }
+}
+
 /// What is known where the march stands.
 struct Look {
     inside: bool,
+    /// The same is known up to here.
+    until: f64,
+    /// How far the march may go from there.
     step: f64,
 }
 
@@ -61,7 +76,7 @@ impl Julia {
             Map::Hypercomplex(_) => (4.0, 16.0),
         };
         let [x, y, z, t] = julia.slice;
-        Julia {
+        let mut julia = Julia {
             map,
             parameter,
             steps: julia.max_iteration.max(1),
@@ -70,6 +85,26 @@ impl Julia {
             at_origin: julia.slice_distance / t,
             radius,
             escape,
+            proved: None,
+        };
+        if map.can_prove() {
+            julia.proved = Some(Proved::new(radius, |middle, radius| julia.proof(middle, radius)));
+        }
+        julia
+    }
+
+    /// What can be proved of a ball of space.
+    fn proof(&self, middle: Vec3, radius: f64) -> Proof {
+        // The slice leans against space.
+        let radius = radius * (1.0 + self.along.length_squared()).sqrt();
+        let (q, limits) = (self.lifted(middle), (self.steps, self.escape));
+        match self.map {
+            Map::Quaternion(power) => quaternion::proof(power, (q, radius), self.parameter, limits),
+            Map::Hypercomplex(map) => {
+                // Neither complex number changes by more than its share of the four numbers.
+                let ball = (Hypercomplex::from_vec(q), [radius * 2f64.sqrt(); 2]);
+                map.proof(ball, self.hyper_parameter(), limits)
+            }
         }
     }
 
@@ -100,9 +135,19 @@ impl Julia {
         Hypercomplex::from_vec(self.parameter)
     }
 
-    /// Is the point inside, and how far can the march go?
+    /// Is the ray inside at a distance, and how far can the march go?
     #[inline]
-    fn look(&self, p: Vec3, dir: Vec3) -> Look {
+    fn look(&self, ray: &Ray, inverse: Vec3, t: f64) -> Look {
+        let proof = self.proved.as_ref().and_then(|proved| proved.at(ray, inverse, t));
+        match proof {
+            Some((inside, until)) => Look { inside, until, step: self.least_step },
+            None => self.look_closely(ray, t),
+        }
+    }
+
+    #[inline]
+    fn look_closely(&self, ray: &Ray, t: f64) -> Look {
+        let (p, dir) = (ray.at(t), ray.dir);
         let q = self.lifted(p);
         let (inside, estimate) = match self.map {
             Map::Quaternion(power) => {
@@ -125,34 +170,43 @@ impl Julia {
             }
         };
         // A step that is not a number becomes the least one.
-        Look { inside, step: if estimate > self.least_step { estimate } else { self.least_step } }
+        Look { inside, until: t, step: if estimate > self.least_step { estimate } else { self.least_step } }
     }
 
-    fn search(&self, ray: &Ray, to: &mut impl Collect) {
+    /// The part of a ray in the ball and the box that hold the set, not before its start.
+    fn span(&self, ray: &Ray) -> Option<(f64, f64)> {
         let middle = -ray.origin.dot(ray.dir);
         let closest = ray.at(middle).length_squared();
         let chord = poly::quadratic([closest - self.radius * self.radius, 0.0, 1.0]);
-        let [enter, leave] = chord[..] else { return };
-        let (mut t, leave) = ((middle + enter).max(FINE), middle + leave);
+        let [enter, leave] = chord[..] else { return None };
+        let (enter, leave) = ((middle + enter).max(FINE), middle + leave);
+        let Some(proved) = &self.proved else { return Some((enter, leave)) };
+        let (from, to) = proved.hull.hit(ray)?;
+        Some((enter.max(from), leave.min(to)))
+    }
+
+    fn search(&self, ray: &Ray, to: &mut impl Collect) {
+        let Some((mut t, leave)) = self.span(ray) else { return };
         if t >= leave {
             return;
         }
-        let mut now = self.look(ray.at(t), ray.dir);
+        let inverse = ray.dir.recip();
+        let mut now = self.look(ray, inverse, t);
         if now.inside {
             t += 2.0 * FINE;
-            now = self.look(ray.at(t), ray.dir);
+            now = self.look(ray, inverse, t);
         }
-        while t < leave && t < to.range().1 {
-            let next = t + now.step;
+        while now.until < leave && now.until < to.range().1 {
+            let next = now.until + now.step;
             // So far away that a step changes nothing.
-            if next <= t {
+            if next <= now.until {
                 return;
             }
-            let seen = self.look(ray.at(next), ray.dir);
+            let seen = self.look(ray, inverse, next);
             if seen.inside != now.inside {
-                to.push(LocalHit::at(self.border(ray, t, next, seen.inside)));
+                to.push(LocalHit::at(self.border(ray, now.until, next, seen.inside)));
             }
-            (t, now) = (next, seen);
+            now = seen;
         }
     }
 
@@ -191,7 +245,8 @@ impl Surface for Julia {
     searched_from!(LEAST);
 
     fn bounds(&self) -> Aabb {
-        Aabb::new(Vec3::splat(-self.radius), Vec3::splat(self.radius))
+        let ball = Aabb::new(Vec3::splat(-self.radius), Vec3::splat(self.radius));
+        self.proved.as_ref().map_or(ball, |proved| ball.intersection(&proved.hull))
     }
 
     fn inside(&self, p: Vec3) -> bool {
