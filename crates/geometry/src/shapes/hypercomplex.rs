@@ -199,12 +199,7 @@ impl Map {
     }
 
     /// Do the orbits of all pairs in two balls (middles and radii) escape, or none? Nothing is proved of functions.
-    pub(crate) fn proof(
-        self,
-        ball: (Hypercomplex, [f64; 2]),
-        c: Hypercomplex,
-        limits: (u32, f64),
-    ) -> Proof {
+    pub(crate) fn proof(self, ball: (Hypercomplex, [f64; 2]), c: Hypercomplex, limits: (u32, f64)) -> Proof {
         match self {
             Map::Square => proof(ball, c, limits, square, |n, r| r * (2.0 * n + r)),
             // No bound at all where the ball holds zero.
@@ -318,9 +313,8 @@ fn proof(
     let mut none = true;
     for _ in 0..steps {
         let sizes = [q.0.re.hypot(q.0.im), q.1.re.hypot(q.1.im)];
-        let size2 = |at: fn(f64, f64) -> f64| {
-            0.5 * (at(sizes[0], radii[0]).powi(2) + at(sizes[1], radii[1]).powi(2))
-        };
+        let size2 =
+            |at: fn(f64, f64) -> f64| 0.5 * (at(sizes[0], radii[0]).powi(2) + at(sizes[1], radii[1]).powi(2));
         if size2(|n, r| (n - r).max(0.0)) > escape {
             return Proof::Outside;
         }

@@ -23,6 +23,7 @@ impl Power {
     }
 
     /// The change of the power of `q` where `q` changes by `dq`.
+    #[inline(always)]
     fn change(self, q: Vec4, dq: Vec4) -> Vec4 {
         let imaginary = q.y * q.y + q.z * q.z + q.w * q.w;
         let d_imaginary = 2.0 * (q.y * dq.y + q.z * dq.z + q.w * dq.w);
@@ -120,10 +121,10 @@ pub(crate) fn proof(
 /// Half the gradient in x, y and z of the squared size after `steps` steps. The fourth coordinate is held fast, as in
 /// POV-Ray, though the slice makes it depend on the other three.
 pub(crate) fn gradient(power: Power, mut q: Vec4, c: Vec4, steps: u32) -> Vec3 {
-    let mut changes = [Vec4::X, Vec4::Y, Vec4::Z];
+    let [mut x, mut y, mut z] = [Vec4::X, Vec4::Y, Vec4::Z];
     for _ in 0..steps {
-        changes = changes.map(|dq| power.change(q, dq));
+        (x, y, z) = (power.change(q, x), power.change(q, y), power.change(q, z));
         q = power.of(q) + c;
     }
-    Vec3::from_array(changes.map(|dq| q.dot(dq)))
+    Vec3::new(q.dot(x), q.dot(y), q.dot(z))
 }

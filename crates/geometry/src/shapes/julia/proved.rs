@@ -79,22 +79,37 @@ impl Proved {
     /// What is proved at a distance along a ray, and to what distance: as far as the block reaches. `inverse` is one
     /// over the ray's direction.
     #[inline]
-    pub(super) fn at(&self, ray: &Ray, inverse: Vec3, t: f64) -> Option<(bool, f64)> {
+    pub(super) fn at(&self, ray: &Ray, inverse: Vec3, t: f64) -> (Proof, f64) {
         let place = (ray.at(t) + Vec3::splat(self.half)) * self.scale;
         // Numbers below 0 become 0.
-        let cell = place.to_array().map(|x| (x as usize).min(CELLS - 1));
+        let of = |x: f64| (x as usize).min(CELLS - 1);
+        let cell = [of(place.x), of(place.y), of(place.z)];
         let word = self.cells[(cell[2] * CELLS + cell[1]) * CELLS + cell[0]];
-        let inside = match word >> LEVEL_BITS {
-            w if w == Proof::Outside as u8 => false,
-            w if w == Proof::Inside as u8 => true,
-            _ => return None,
+        let proof = match word >> LEVEL_BITS {
+            w if w == Proof::Outside as u8 => Proof::Outside,
+            w if w == Proof::Inside as u8 => Proof::Inside,
+            _ => return (Proof::Open, t),
         };
         let size = 1usize << (word & ((1 << LEVEL_BITS) - 1));
-        let mut until = f64::INFINITY;
-        for axis in 0..3 {
-            let face = (cell[axis] & !(size - 1)) + if inverse[axis] > 0.0 { size } else { 0 };
-            until = until.min((face as f64 * self.cell - self.half - ray.origin[axis]) * inverse[axis]);
+        let face = |cell: usize, origin: f64, inverse: f64| {
+            let side = (cell & !(size - 1)) + if inverse > 0.0 { size } else { 0 };
+            (side as f64 * self.cell - self.half - origin) * inverse
+        };
+        let (o, i) = (ray.origin, inverse);
+        let until = face(cell[0], o.x, i.x).min(face(cell[1], o.y, i.y)).min(face(cell[2], o.z, i.z));
+        (proof, until.max(t))
+    }
+
+    /// How far the ray goes outside from a distance on; `None` if for good.
+    pub(super) fn outside_until(&self, ray: &Ray, inverse: Vec3, mut t: f64, end: f64) -> Option<f64> {
+        // A step over the border of a block, for what rounding does to it.
+        let over = 1e-6 * self.cell;
+        while t < end {
+            match self.at(ray, inverse, t) {
+                (Proof::Outside, until) => t = until + over,
+                _ => return Some(t),
+            }
         }
-        Some((inside, until.max(t)))
+        None
     }
 }
