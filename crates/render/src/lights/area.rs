@@ -28,8 +28,8 @@ pub struct AreaGrid {
     pub jitter: bool,
     circular: bool,
     orient: bool,
-    /// Where the grid's points lie from the light's centre, where that is always the same; rows along the first axis.
-    fixed: Vec<Vec3>,
+    /// Where the grid's points lie along the axes, where that is always the same; rows along the first axis.
+    fixed: Vec<(f64, f64)>,
     /// Does every sample light the surface by its own direction?
     pub illumination: bool,
     /// Do photons leave from all of it?
@@ -57,10 +57,10 @@ impl AreaGrid {
             illumination: area.area_illumination,
             photons: area.photons_area,
         };
-        if !grid.jitter && !grid.orient && grid.size1 * grid.size2 <= MOST_FIXED {
+        if !grid.jitter && grid.size1 * grid.size2 <= MOST_FIXED {
             let cells =
                 (0..grid.size2).flat_map(|v| (0..grid.size1).map(move |u| (f64::from(u), f64::from(v))));
-            grid.fixed = cells.map(|(u, v)| grid.place((grid.axis1, grid.axis2), u, v)).collect();
+            grid.fixed = cells.map(|(u, v)| grid.place(u, v)).collect();
         }
         grid
     }
@@ -107,8 +107,8 @@ impl AreaGrid {
 
     /// Where a grid point, counted along the first axis first, lies from the light's centre.
     pub fn offset(&self, axes: (Vec3, Vec3), cell: u32, random: &Stream) -> Vec3 {
-        if let Some(offset) = self.fixed.get(cell as usize) {
-            return *offset;
+        if let Some(&(s, t)) = self.fixed.get(cell as usize) {
+            return axes.0 * s + axes.1 * t;
         }
         let (mut u, mut v) = (f64::from(cell % self.size1), f64::from(cell / self.size1));
         if self.jitter {
@@ -117,19 +117,21 @@ impl AreaGrid {
             u += random.next() - 0.5;
             v += random.next() - 0.5;
         }
-        self.place(axes, u, v)
+        let (s, t) = self.place(u, v);
+        axes.0 * s + axes.1 * t
     }
 
+    /// Where along the axes a point of the grid lies.
     #[inline]
-    fn place(&self, axes: (Vec3, Vec3), u: f64, v: f64) -> Vec3 {
+    fn place(&self, u: f64, v: f64) -> (f64, f64) {
         let place = |k: f64, n: u32| if n > 1 { k / f64::from(n - 1) - 0.5 } else { 0.0 };
         let (s, t) = (place(u, self.size1), place(v, self.size2));
         if !self.circular {
-            return axes.0 * s + axes.1 * t;
+            return (s, t);
         }
         let (s, t) = (s + 0.001, t + 0.001);
         let round = s.abs().max(t.abs()) / (s * s + t * t).sqrt().max(1e-300);
-        axes.0 * (s * round) + axes.1 * (t * round)
+        (s * round, t * round)
     }
 }
 
@@ -233,7 +235,8 @@ impl View<'_> {
         let (mut u, mut v) = (first % self.grid.size1, first / self.grid.size1);
         for k in 0..RAYS {
             let (du, dv) = (random.next() - 0.5, random.next() - 0.5);
-            put(k, self.grid.place(axes, f64::from(u) + du, f64::from(v) + dv));
+            let (s, t) = self.grid.place(f64::from(u) + du, f64::from(v) + dv);
+            put(k, axes.0 * s + axes.1 * t);
             u += 1;
             if u == self.grid.size1 {
                 (u, v) = (0, v + 1);
