@@ -37,10 +37,12 @@ type Powers<const L: usize> = [Row<L>; 5];
 /// The powers of numbers that stand in the second row.
 #[inline(always)]
 fn fill_powers<const L: usize>(x: &mut Powers<L>) {
+    let [zero, one, two, three, four] = x;
+    *zero = [1.0; L];
     for l in 0..L {
-        let one = x[1][l];
-        let two = one * one;
-        (x[0][l], x[2][l], x[3][l], x[4][l]) = (1.0, two, two * one, two * two);
+        two[l] = one[l] * one[l];
+        three[l] = two[l] * one[l];
+        four[l] = two[l] * two[l];
     }
 }
 
