@@ -67,7 +67,24 @@ fn ilbm(recipe: Recipe, values: &[u32]) -> Vec<u8> {
     let mut header = Vec::new();
     header.extend(recipe.size.0.to_be_bytes());
     header.extend(recipe.size.1.to_be_bytes());
-    header.extend([0, 0, 0, 0, recipe.planes, recipe.masking, u8::from(recipe.packed), 0, 0, 3, 1, 1, 0, 0, 0, 0]);
+    header.extend([
+        0,
+        0,
+        0,
+        0,
+        recipe.planes,
+        recipe.masking,
+        u8::from(recipe.packed),
+        0,
+        0,
+        3,
+        1,
+        1,
+        0,
+        0,
+        0,
+        0,
+    ]);
     let mut form = b"ILBM".to_vec();
     form.extend(chunk(b"ANNO", b"odd"));
     form.extend(chunk(b"BMHD", &header));
@@ -97,7 +114,8 @@ fn palettes_of_every_depth_keep_their_indices() {
             let count = u32::from(width) * 5;
             let values: Vec<u32> = (0..count).map(|i| (i * i / 3) % (1 << planes)).collect();
             let colors: Vec<[u8; 3]> = (0..1 << planes).map(|i: u32| [i as u8, 7, (255 - i) as u8]).collect();
-            let recipe = Recipe { size: (width, height), planes, masking, packed, screen: None, colors: &colors };
+            let recipe =
+                Recipe { size: (width, height), planes, masking, packed, screen: None, colors: &colors };
             let bitmap = decode(&ilbm(recipe, &values), Some(Format::Iff)).expect("a picture");
             assert_eq!((bitmap.width, bitmap.height), (usize::from(width), 5));
             let Pixels::Palette { indices, colors: found } = bitmap.pixels else { panic!("no palette") };

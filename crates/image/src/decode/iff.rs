@@ -61,8 +61,7 @@ pub(super) fn decode(bytes: &[u8]) -> Result<Bitmap, DecodeError> {
     let body = body.ok_or_else(|| error("there are no pixels"))?;
     checked_size(header.width, header.height)?;
     let mode = mode(&header, colors.len(), screen).ok_or_else(|| error("unusual number of planes"))?;
-    let pixels =
-        pixels(&header, mode, &colors, body).ok_or_else(|| error("the pixels are cut short"))?;
+    let pixels = pixels(&header, mode, &colors, body).ok_or_else(|| error("the pixels are cut short"))?;
     let curve = if mode == Mode::True { FileCurve::None } else { FileCurve::CustomSrgb };
     Ok(Bitmap { width: header.width, height: header.height, pixels, curve, premultiplied: false })
 }
