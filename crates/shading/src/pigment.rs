@@ -17,6 +17,7 @@ pub struct Pigment {
     kind: Kind,
     quick_color: Option<Color>,
     opaque: bool,
+    smooth: bool,
 }
 
 #[derive(Debug)]
@@ -59,7 +60,8 @@ impl Compiler {
             }
         };
         let opaque = kind.is_opaque();
-        Pigment { kind, quick_color: pigment.quick_color, opaque }
+        let smooth = kind.is_smooth();
+        Pigment { kind, quick_color: pigment.quick_color, opaque, smooth }
     }
 }
 
@@ -71,6 +73,15 @@ impl Kind {
             Kind::Pigments { map, .. } | Kind::Average { map, .. } => map.items().all(|p| p.opaque),
             Kind::Image { image, .. } => image.is_opaque(),
             Kind::Uv(inner) => inner.opaque,
+        }
+    }
+
+    /// Texture coordinates do not tell how fast they change, so that what hangs on them is not smooth.
+    fn is_smooth(&self) -> bool {
+        match self {
+            Kind::Solid(_) | Kind::Colors { .. } | Kind::Uv(_) => false,
+            Kind::Pigments { map, .. } | Kind::Average { map, .. } => map.items().any(|p| p.smooth),
+            Kind::Image { image, .. } => image.is_smooth(),
         }
     }
 }
@@ -97,11 +108,11 @@ impl Pigment {
                 let p = pattern.warp(p);
                 pigment_at(&map.at(pattern.eval_warped(p, context)), p, context)
             }
-            Kind::Average { pattern, map } => average(map, pattern.warp(p), context),
-            Kind::Image { warps, image } => match image.color(warps.apply(p)) {
-                Some(color) => (color, true),
-                None => (CLEAR, false),
-            },
+            Kind::Average { pattern, map } => {
+                let p = pattern.warp(p);
+                average(map, |pigment| pigment.sample(p, context))
+            }
+            Kind::Image { warps, image } => image_color(image.color(warps.apply(p))),
             Kind::Uv(inner) => inner.sample(context.uv_point(), context),
         }
     }
@@ -125,6 +136,43 @@ impl Pigment {
             }
             _ => points.map(|p| self.sample(p, context)),
         }
+    }
+
+    /// [`Pigment::eval`] where images that are `smooth` show the mean of a footprint: a point, and points
+    /// [`FOOTPRINT_STEP`](crate::FOOTPRINT_STEP) along its axes.
+    pub fn eval_over(&self, points: &[Vec3; 3], context: &Context) -> Option<Color> {
+        let (color, found) = self.sample_over(points, context);
+        found.then_some(color)
+    }
+
+    fn sample_over(&self, points: &[Vec3; 3], context: &Context) -> (Color, bool) {
+        if !self.smooth {
+            return self.sample(points[0], context);
+        }
+        match &self.kind {
+            Kind::Pigments { pattern, map } => {
+                let points = points.map(|p| pattern.warp(p));
+                match map.at(pattern.eval_warped(points[0], context)) {
+                    Blend::One(entry) => {
+                        entry.map_or((Color::BLACK, true), |e| e.sample_over(&points, context))
+                    }
+                    Blend::Two(low, high, t) => {
+                        mix(low.sample_over(&points, context), high.sample_over(&points, context), t)
+                    }
+                }
+            }
+            Kind::Average { pattern, map } => {
+                let points = points.map(|p| pattern.warp(p));
+                average(map, |pigment| pigment.sample_over(&points, context))
+            }
+            Kind::Image { warps, image } => image_color(image.color_over(&points.map(|p| warps.apply(p)))),
+            Kind::Solid(_) | Kind::Colors { .. } | Kind::Uv(_) => self.sample(points[0], context),
+        }
+    }
+
+    /// Does any image in it look at the camera's pixels?
+    pub fn is_smooth(&self) -> bool {
+        self.smooth
     }
 
     /// Does no part of it ever let light through?
@@ -172,11 +220,15 @@ fn mix((a, a_found): (Color, bool), (b, b_found): (Color, bool), t: f64) -> (Col
     (a.lerp(b, t), a_found || b_found)
 }
 
-fn average(map: &Map<Arc<Pigment>>, p: Vec3, context: &Context) -> (Color, bool) {
+fn image_color(color: Option<Color>) -> (Color, bool) {
+    color.map_or((CLEAR, false), |color| (color, true))
+}
+
+fn average(map: &Map<Arc<Pigment>>, sample: impl Fn(&Pigment) -> (Color, bool)) -> (Color, bool) {
     let total = map.total_weight() as f32;
     let (mut sum, mut found) = (Color::BLACK, false);
     for (weight, pigment) in map.weighted() {
-        let (color, here) = pigment.sample(p, context);
+        let (color, here) = sample(pigment);
         let weight = weight / total;
         sum.rgb += color.rgb * weight;
         sum.filter += color.filter * weight;
