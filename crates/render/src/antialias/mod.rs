@@ -34,18 +34,31 @@ impl Difference {
         Difference { srgb, exponent, threshold }
     }
 
-    /// Do they?
-    pub fn between(&self, a: &Pixel, b: &Pixel) -> bool {
-        if a == b {
-            return self.threshold <= 0.0;
-        }
+    /// A pixel with what a display makes of it, which is worth keeping: powers are slow.
+    pub fn view(&self, pixel: Pixel) -> Viewed {
         let seen = |v: f32| {
             let light = if self.srgb { Curve::Srgb.decode(v) } else { v };
             light.max(0.0).powf(self.exponent)
         };
-        let colors: f32 = (0..3).map(|i| (seen(a[i]) - seen(b[i])).abs()).sum();
-        colors + (a[3] - b[3]).abs() >= self.threshold
+        Viewed { pixel, seen: [seen(pixel[0]), seen(pixel[1]), seen(pixel[2])] }
     }
+
+    /// Do they?
+    pub fn between(&self, a: &Viewed, b: &Viewed) -> bool {
+        if a.pixel == b.pixel {
+            return self.threshold <= 0.0;
+        }
+        let colors: f32 = (0..3).map(|i| (a.seen[i] - b.seen[i]).abs()).sum();
+        colors + (a.pixel[3] - b.pixel[3]).abs() >= self.threshold
+    }
+}
+
+/// A pixel and how bright it looks.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Viewed {
+    /// Its colour and transmit.
+    pub pixel: Pixel,
+    seen: [f32; 3],
 }
 
 /// A sample moved by jitter of that amount.

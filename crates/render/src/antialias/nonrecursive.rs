@@ -1,5 +1,5 @@
 //! Method 1: pixels that differ from their left or upper neighbour get a grid of samples (light spec, section 2.2).
-use super::{Difference, Shoot, add, jittered};
+use super::{Difference, Shoot, Viewed, add, jittered};
 use crate::film::{Pixel, Tile};
 
 /// The method with its options.
@@ -15,7 +15,7 @@ pub struct NonRecursive {
 /// A tile with the helper row above it and the helper column at its left.
 struct Board {
     columns: usize,
-    pixels: Vec<Pixel>,
+    pixels: Vec<Viewed>,
     /// Is it refined, or may not be?
     settled: Vec<bool>,
 }
@@ -24,8 +24,11 @@ impl NonRecursive {
     /// All pixels of a tile.
     pub fn tile(&self, tile: &Tile, shoot: &mut Shoot<'_>) -> Vec<Pixel> {
         let (columns, rows) = (tile.x.len() + 1, tile.y.len() + 1);
-        let mut board =
-            Board { columns, pixels: vec![[0.0; 4]; columns * rows], settled: vec![false; columns * rows] };
+        let mut board = Board {
+            columns,
+            pixels: vec![Viewed::default(); columns * rows],
+            settled: vec![false; columns * rows],
+        };
         let place =
             |i: usize, j: usize| (tile.x.start as f64 + i as f64 - 1.0, tile.y.start as f64 + j as f64 - 1.0);
         for j in 0..rows {
@@ -35,7 +38,7 @@ impl NonRecursive {
                 }
                 let here = j * columns + i;
                 let (x, y) = place(i, j);
-                board.pixels[here] = shoot(x, y);
+                board.pixels[here] = self.differs.view(shoot(x, y));
                 board.settled[here] = i == 0 || j == 0;
                 if i > 0 && j > 0 {
                     self.compare(&mut board, here, (x, y), shoot);
@@ -43,7 +46,7 @@ impl NonRecursive {
             }
         }
         let rows = board.pixels.chunks(columns).skip(1);
-        rows.flat_map(|row| &row[1..]).copied().collect()
+        rows.flat_map(|row| &row[1..]).map(|viewed| viewed.pixel).collect()
     }
 
     /// Compares a pixel with its neighbours and refines those that differ.
@@ -55,7 +58,8 @@ impl NonRecursive {
             [(from_left, left, x - 1.0, y), (from_up, up, x, y - 1.0), (from_left || from_up, here, x, y)];
         for (differs, index, x, y) in all {
             if differs && !board.settled[index] {
-                board.pixels[index] = self.refined(board.pixels[index], x, y, shoot);
+                let refined = self.refined(board.pixels[index].pixel, x, y, shoot);
+                board.pixels[index] = self.differs.view(refined);
                 board.settled[index] = true;
             }
         }
