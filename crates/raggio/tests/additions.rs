@@ -75,8 +75,8 @@ fn floor(image: &str) -> Vec<f32> {
           pigment {{ image_map {{ function 64, 64 {{ mod(floor(x*63.5) + floor(y*63.5), 2) }} {image} }} rotate 90*x }}
           finish {{ ambient 1 diffuse 0 }} }}"
     );
-    let loaded =
-        raggio::load(&SceneOptions::text("floor.pov", &text)).unwrap_or_else(|e| panic!("{}", e.render()));
+    let loaded = raggio::load(&SceneOptions::text("floor.pov", text.as_str()))
+        .unwrap_or_else(|e| panic!("{}", e.render()));
     let world = loaded.build().unwrap_or_else(|e| panic!("{}", e.render()));
     let options = raggio::RenderOptions { width: 80, height: 60, ..raggio::RenderOptions::default() };
     let film = world.render(&options, &AtomicBool::new(false), &|_, _| {});
@@ -103,8 +103,8 @@ fn an_enlarged_smooth_image_looks_as_ever() {
             plane {{ z, 0 pigment {{ image_map {{ function 5, 5 {{ x*y }} interpolate 2 {image} }} }}
               finish {{ ambient 1 diffuse 0 }} }}"
         );
-        let loaded =
-            raggio::load(&SceneOptions::text("near.pov", &text)).unwrap_or_else(|e| panic!("{}", e.render()));
+        let loaded = raggio::load(&SceneOptions::text("near.pov", text.as_str()))
+            .unwrap_or_else(|e| panic!("{}", e.render()));
         let world = loaded.build().unwrap_or_else(|e| panic!("{}", e.render()));
         let options = raggio::RenderOptions { width: 40, height: 40, ..raggio::RenderOptions::default() };
         world.render(&options, &AtomicBool::new(false), &|_, _| {}).pixels

@@ -206,7 +206,9 @@ impl Pigment {
                 average(map, |pigment| pigment.sample_over(&points, context))
             }
             Kind::Image { warps, image } => image_color(image.color_over(&points.map(|p| warps.apply(p)))),
-            Kind::Solid(_) | Kind::Colors { .. } | Kind::Foreseen { .. } | Kind::Uv(_) => self.sample(points[0], context),
+            Kind::Solid(_) | Kind::Colors { .. } | Kind::Foreseen { .. } | Kind::Uv(_) => {
+                self.sample(points[0], context)
+            }
         }
     }
 
