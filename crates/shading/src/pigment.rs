@@ -101,6 +101,14 @@ fn color_at(map: &Map<Color>, value: f64) -> Color {
     }
 }
 
+#[inline]
+fn rgb_at(map: &Map<Color>, value: f64) -> Rgb {
+    match map.at(value) {
+        Blend::One(color) => color.map_or(Rgb::ZERO, |color| color.rgb),
+        Blend::Two(low, high, t) => low.lerp_rgb(*high, t),
+    }
+}
+
 impl Kind {
     fn is_opaque(&self) -> bool {
         match self {
@@ -133,6 +141,19 @@ impl Pigment {
     pub fn eval(&self, p: Vec3, context: &Context) -> Option<Color> {
         let (color, found) = self.sample(p, context);
         found.then_some(color)
+    }
+
+    /// The colour at a point without what it lets through, white where there is none.
+    pub fn rgb(&self, p: Vec3, context: &Context) -> Rgb {
+        match &self.kind {
+            Kind::Solid(color) => color.rgb,
+            Kind::Colors { pattern, map } => rgb_at(map, pattern.eval(p, context)),
+            Kind::Foreseen { pattern, map, bound, beyond } => {
+                let value = pattern.eval_unless_above(pattern.warp(p), *bound, context);
+                value.map_or(beyond.rgb, |value| rgb_at(map, value))
+            }
+            _ => self.sample(p, context).0.rgb,
+        }
     }
 
     /// The colour at a point, clear white where there is none, and whether there is one.
