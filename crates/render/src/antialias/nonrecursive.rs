@@ -22,7 +22,7 @@ struct Board {
 
 impl NonRecursive {
     /// All pixels of a tile.
-    pub fn tile(&self, tile: &Tile, shoot: &mut Shoot<'_>) -> Vec<Pixel> {
+    pub fn tile(&self, tile: &Tile, shoot: &mut impl Shoot) -> Vec<Pixel> {
         let (columns, rows) = (tile.x.len() + 1, tile.y.len() + 1);
         let mut board = Board {
             columns,
@@ -38,7 +38,7 @@ impl NonRecursive {
                 }
                 let here = j * columns + i;
                 let (x, y) = place(i, j);
-                board.pixels[here] = self.differs.view(shoot(x, y));
+                board.pixels[here] = shoot.first(x, y);
                 board.settled[here] = i == 0 || j == 0;
                 if i > 0 && j > 0 {
                     self.compare(&mut board, here, (x, y), shoot);
@@ -50,7 +50,7 @@ impl NonRecursive {
     }
 
     /// Compares a pixel with its neighbours and refines those that differ.
-    fn compare(&self, board: &mut Board, here: usize, (x, y): (f64, f64), shoot: &mut Shoot<'_>) {
+    fn compare(&self, board: &mut Board, here: usize, (x, y): (f64, f64), shoot: &mut impl Shoot) {
         let (left, up) = (here - 1, here - board.columns);
         let from_left = self.differs.between(&board.pixels[left], &board.pixels[here]);
         let from_up = self.differs.between(&board.pixels[up], &board.pixels[here]);
@@ -66,7 +66,7 @@ impl NonRecursive {
     }
 
     /// The mean of the first sample and a grid of more.
-    fn refined(&self, first: Pixel, x: f64, y: f64, shoot: &mut Shoot<'_>) -> Pixel {
+    fn refined(&self, first: Pixel, x: f64, y: f64, shoot: &mut impl Shoot) -> Pixel {
         let n = f64::from(self.depth);
         let offset = |i: u32| -0.5 + 0.5 / n + f64::from(i) / n;
         let mut sum = first;
@@ -82,25 +82,23 @@ impl NonRecursive {
 
 #[cfg(test)]
 mod tests {
+    use super::super::tests::{Asked, plain_difference};
     use super::*;
-    use raggio_image::Curve;
-    use raggio_scene::GammaMode;
 
     fn method(depth: u32) -> NonRecursive {
-        let differs = Difference::new(GammaMode::Working(Curve::Linear), 2.5, 0.3);
-        NonRecursive { differs, depth, jitter: 0.0 }
+        NonRecursive { differs: plain_difference(), depth, jitter: 0.0 }
     }
 
     #[test]
     fn an_edge_refines_the_pixels_on_both_sides() {
         // White right of x = 1.25: the edge cuts pixel 1.
         let mut count = 0;
-        let mut shoot = |x: f64, _: f64| {
+        let shoot = |x: f64, _: f64| {
             count += 1;
             let v = if x > 1.25 { 1.0 } else { 0.0 };
             [v, v, v, 0.0]
         };
-        let got = method(3).tile(&Tile { x: 0..4, y: 0..1 }, &mut shoot);
+        let got = method(3).tile(&Tile { x: 0..4, y: 0..1 }, &mut Asked(plain_difference(), shoot));
         // Of pixel 1's columns at 2/3, 1, 4/3 one is white: 3 of 9, the centre again is black.
         let expected = [0.0, 0.3, 1.0, 1.0];
         for (pixel, value) in got.iter().zip(expected) {
@@ -114,11 +112,11 @@ mod tests {
     #[test]
     fn even_pictures_stay_as_they_are() {
         let mut places = Vec::new();
-        let mut shoot = |x: f64, y: f64| {
+        let shoot = |x: f64, y: f64| {
             places.push((x, y));
             [0.5, 0.25, 0.125, 0.0]
         };
-        let got = method(3).tile(&Tile { x: 2..4, y: 1..3 }, &mut shoot);
+        let got = method(3).tile(&Tile { x: 2..4, y: 1..3 }, &mut Asked(plain_difference(), shoot));
         assert_eq!(got, vec![[0.5, 0.25, 0.125, 0.0]; 4]);
         let expected = [(2., 0.), (3., 0.), (1., 1.), (2., 1.), (3., 1.), (1., 2.), (2., 2.), (3., 2.)];
         assert_eq!(places, expected);

@@ -40,12 +40,12 @@ impl Recursive {
     }
 
     /// All pixels of a tile.
-    pub fn tile(&mut self, tile: &Tile, shoot: &mut Shoot<'_>) -> Vec<Pixel> {
+    pub fn tile(&mut self, tile: &Tile, shoot: &mut impl Shoot) -> Vec<Pixel> {
         let columns = tile.x.len() + 1;
         let mut corners = Vec::with_capacity(columns * (tile.y.len() + 1));
         for y in tile.y.start..=tile.y.end {
             for x in tile.x.start..=tile.x.end {
-                corners.push(self.differs.view(shoot(x as f64 - 0.5, y as f64 - 0.5)));
+                corners.push(shoot.first(x as f64 - 0.5, y as f64 - 0.5));
             }
         }
         let mut pixels = Vec::with_capacity(tile.area());
@@ -59,7 +59,7 @@ impl Recursive {
         pixels
     }
 
-    fn pixel(&mut self, corners: [Viewed; 4], x: f64, y: f64, shoot: &mut Shoot<'_>) -> Pixel {
+    fn pixel(&mut self, corners: [Viewed; 4], x: f64, y: f64, shoot: &mut impl Shoot) -> Pixel {
         self.pixel += 1;
         let size = self.side - 1;
         let indices = [0, size, size * self.side, size * self.side + size];
@@ -73,7 +73,7 @@ impl Recursive {
     }
 
     /// The mean over a square.
-    fn square(&mut self, s: Square, level: u32, pixel: (f64, f64), shoot: &mut Shoot<'_>) -> Pixel {
+    fn square(&mut self, s: Square, level: u32, pixel: (f64, f64), shoot: &mut impl Shoot) -> Pixel {
         let places = [(s.i, s.j), (s.i + s.size, s.j), (s.i, s.j + s.size), (s.i + s.size, s.j + s.size)];
         let corners = places.map(|(i, j)| self.point(i, j, pixel, shoot));
         let differs = (0..4).any(|a| (0..a).any(|b| self.differs.between(&corners[a], &corners[b])));
@@ -89,7 +89,7 @@ impl Recursive {
     }
 
     /// A point of the present pixel, shot at most once.
-    fn point(&mut self, i: usize, j: usize, (x, y): (f64, f64), shoot: &mut Shoot<'_>) -> Viewed {
+    fn point(&mut self, i: usize, j: usize, (x, y): (f64, f64), shoot: &mut impl Shoot) -> Viewed {
         let index = j * self.side + i;
         if self.known[index].0 != self.pixel {
             let place = |k: usize| k as f64 / (self.side - 1) as f64 - 0.5;
@@ -108,19 +108,19 @@ fn mean(parts: &[Pixel; 4]) -> Pixel {
 
 #[cfg(test)]
 mod tests {
+    use super::super::tests::{Asked, plain_difference};
     use super::*;
-    use raggio_image::Curve;
-    use raggio_scene::GammaMode;
 
     fn rendered(depth: u32, edge: f64) -> (Vec<Pixel>, usize) {
         let mut count = 0;
-        let differs = Difference::new(GammaMode::Working(Curve::Linear), 2.5, 0.3);
-        let mut shoot = |x: f64, _: f64| {
+        let differs = plain_difference();
+        let shoot = |x: f64, _: f64| {
             count += 1;
             let v = if x > edge { 1.0 } else { 0.0 };
             [v, v, v, 0.0]
         };
-        let pixels = Recursive::new(differs, depth, 0.0).tile(&Tile { x: 0..2, y: 0..1 }, &mut shoot);
+        let pixels =
+            Recursive::new(differs, depth, 0.0).tile(&Tile { x: 0..2, y: 0..1 }, &mut Asked(differs, shoot));
         (pixels, count)
     }
 
