@@ -188,23 +188,6 @@ fn missing_arguments_read_zero_in_native_code_too() {
 }
 
 #[test]
-fn code_comes_while_several_threads_evaluate() {
-    let f = Function::new(1, binary(BinaryOp::Mul, Expr::Slot(0), Expr::Slot(0)));
-    std::thread::scope(|scope| {
-        for t in 0..4 {
-            let f = &f;
-            scope.spawn(move || {
-                for k in 0..20_000 {
-                    let x = f64::from(k + t);
-                    assert_eq!(f.eval(&[x]), x * x);
-                }
-            });
-        }
-    });
-    assert!(f.prepare(), "80000 evaluations brought no native code");
-}
-
-#[test]
 fn programs_that_are_too_long_stay_interpreted() {
     let long =
         (0..4000).fold(Expr::Slot(0), |e, k| binary(BinaryOp::Add, e, Expr::Const(f64::from(k) + 0.5)));

@@ -69,3 +69,28 @@ impl Native {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::compile::compile;
+    use crate::{BinaryOp, Expr};
+
+    #[test]
+    fn code_comes_while_several_threads_evaluate() {
+        let square = Expr::Binary(BinaryOp::Mul, Box::new(Expr::Slot(0)), Box::new(Expr::Slot(0)));
+        let program = compile(1, &square, 2);
+        assert!(program.native.code.get().is_none(), "compiled before it was run");
+        std::thread::scope(|scope| {
+            for t in 0..4 {
+                let program = &program;
+                scope.spawn(move || {
+                    for x in (0..2 * RUNS).map(|k| f64::from(k + t)) {
+                        assert_eq!(program.run(&[x]), x * x);
+                    }
+                });
+            }
+        });
+        assert!(matches!(program.native.code.get(), Some(Some(_))), "no native code after {RUNS} runs");
+    }
+}
