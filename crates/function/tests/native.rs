@@ -195,3 +195,18 @@ fn programs_that_are_too_long_stay_interpreted() {
     assert!(!f.prepare());
     assert_eq!(f.eval(&[0.0]), 4000.0 * 3999.0 / 2.0 + 2000.0);
 }
+
+#[test]
+fn many_registers_and_branches_need_a_large_frame() {
+    // All products are wanted at the end as well, so none of their registers is free before it.
+    let product = |k: i32| binary(BinaryOp::Mul, Expr::Slot(0), Expr::Const(f64::from(k) + 0.5));
+    let add = |a, b| binary(BinaryOp::Add, a, b);
+    let chosen =
+        |k: i32| Expr::Call(Builtin::Select, vec![Expr::Slot(1), product(k), add(product(k), product(0))]);
+    let all = (0..600).map(product).reduce(add).expect("terms");
+    let all = (0..20).map(chosen).fold(all, add);
+    let [plain, native] = both(2, (0..600).rev().map(product).fold(all, add));
+    for p in [[2.0, -1.0], [2.0, 1.0], [-0.3, 0.0]] {
+        assert!(same(plain.eval(&p), native.eval(&p)), "{p:?}");
+    }
+}

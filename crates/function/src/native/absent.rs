@@ -3,7 +3,7 @@ use crate::program::Program;
 
 /// Nothing.
 #[derive(Debug, Default)]
-pub(crate) struct Native;
+pub(crate) struct Native(());
 
 impl Native {
     #[inline(always)]

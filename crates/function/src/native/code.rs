@@ -70,12 +70,21 @@ fn synchronise(_memory: &Mmap) -> Option<()> {
     Some(())
 }
 
+/// Cranelift's settings. Large frames touch each of their pages in order, so that none steps over a stack's end.
+const SETTINGS: [(&str, &str); 5] = [
+    ("opt_level", "none"),
+    ("enable_verifier", "false"),
+    ("unwind_info", "false"),
+    ("enable_probestack", "true"),
+    ("probestack_strategy", "inline"),
+];
+
 /// The code generator for this processor. Code is not optimised any further: the program is already folded and shared.
 fn processor() -> Option<&'static OwnedTargetIsa> {
     static PROCESSOR: OnceLock<Option<OwnedTargetIsa>> = OnceLock::new();
     let make = || {
         let mut flags = settings::builder();
-        for (name, value) in [("opt_level", "none"), ("enable_verifier", "false"), ("unwind_info", "false")] {
+        for (name, value) in SETTINGS {
             flags.set(name, value).ok()?;
         }
         let mut builder = isa::lookup(Triple::host()).ok()?;

@@ -1,4 +1,6 @@
 //! What native code calls: the interpreter's own functions under C's calling convention.
+//!
+//! None of them may panic: a panic cannot pass through native code and would end the process.
 #![allow(unsafe_code)] // Arguments come as pointers, each with its reason.
 use raggio_math::{Vec3, noise};
 
