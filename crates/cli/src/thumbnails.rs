@@ -56,7 +56,7 @@ impl<'a> Thumbnails<'a> {
     pub(crate) fn write(self, output: &Path) -> Result<Outcome, Option<String>> {
         let failed = |e: String| Some(format!("cannot write {}: {e}", output.display()));
         let mut png = Vec::new();
-        raggio::image::write_png(&sheet::sheet(&self.cells), 0, &mut png)
+        raggio::image::write_png(&sheet::sheet(&self.cells), 1, &mut png)
             .map_err(|e| failed(e.to_string()))?;
         raggio::write_whole(output, &png).map_err(|e| failed(e.to_string()))?;
         if self.cancelled {

@@ -1,6 +1,6 @@
 //! From light to whole numbers: alpha, gamma, dithering, rounding (language spec, sections 5.5 and 5.6).
 use super::dither::{Rounder, rounded};
-use super::parallel::in_parallel;
+use super::parallel::in_order;
 use super::steps::Steps;
 use super::{EncodeOptions, Picture};
 use crate::{Bitmap, Curve, FileCurve, Format, Pixels, Rgb, grey};
@@ -30,7 +30,7 @@ pub fn develop(picture: &Picture, options: &EncodeOptions) -> Bitmap {
     if bits == 8 && !wide && !has_alpha && !is_grey && options.dither.is_none() {
         let steps = Steps::new(|v| options.working.map_or(v, |working| working.convert(options.file, v)));
         let pieces: Vec<_> = picture.pixels.chunks(PIECE).collect();
-        let bytes = in_parallel(pieces.len(), options.threads, |i| {
+        let bytes = in_order(options.threads, pieces.len(), |i| {
             let byte = |&[r, g, b, _]: &[f32; 4]| [steps.byte(r), steps.byte(g), steps.byte(b)];
             pieces[i].iter().map(byte).collect::<Vec<_>>()
         });

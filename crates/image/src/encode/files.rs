@@ -5,9 +5,11 @@ use std::io::{Cursor, Write};
 use exr::prelude::WritableImage;
 use image::ExtendedColorType;
 
-use super::png_file::SOFTWARE;
 use super::{EncodeError, EncodeOptions, Picture};
 use crate::{Bitmap, Curve, Format, Pixels, Rgb};
+
+/// What files say about their maker.
+pub(super) const SOFTWARE: &str = "Raggio";
 
 pub(super) fn refused<E: std::fmt::Display>(format: Format) -> impl Fn(E) -> EncodeError {
     move |e| EncodeError::Refused(format, e.to_string())

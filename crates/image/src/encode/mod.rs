@@ -3,7 +3,7 @@ mod develop;
 mod dither;
 mod files;
 mod parallel;
-mod png_file;
+mod png;
 mod steps;
 mod tga;
 
@@ -11,7 +11,7 @@ use std::io::Write;
 
 pub use develop::develop;
 pub use dither::Dither;
-pub use png_file::write_png;
+pub use png::write_png;
 
 use crate::{Curve, Format};
 
@@ -47,7 +47,7 @@ pub struct EncodeOptions {
     pub quality: u8,
     /// Run-length encode TGA.
     pub run_length: bool,
-    /// How many threads may work on it; 0 stands for one for each processor.
+    /// Threads that may work at a PNG file, which does not depend on them; 0 means all that the machine has.
     pub threads: usize,
 }
 
@@ -63,7 +63,7 @@ impl Default for EncodeOptions {
             dither: None,
             quality: 95,
             run_length: false,
-            threads: 0,
+            threads: 1,
         }
     }
 }

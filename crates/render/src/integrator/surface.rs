@@ -58,6 +58,8 @@ impl<'w> Tracer<'w> {
             lights,
             arriving: alone.is_none().then_some(known),
         };
+        let way = self.way;
+        self.way += hit.t;
         let mut seen = match alone {
             Some((texture, layers)) => {
                 let context = point.context();
@@ -67,6 +69,7 @@ impl<'w> Tracer<'w> {
             }
             None => self.textures(&point),
         };
+        self.way = way;
         self.arriving.truncate(known);
         if world.any_media && self.quality.volume() && !beam.interiors.is_empty() {
             self.contained_media(beam, hit.t, lights, &mut seen);
