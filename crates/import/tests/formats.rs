@@ -217,7 +217,8 @@ fn ply_tables_of_many_triangles_are_read_with_or_without_a_polygon() {
         let mesh = load(Format::Ply, [&bytes[..], &face(last)].concat()).unwrap();
         assert_eq!(mesh.vertices[777], [777.0, (777 * 777 % 101) as f32, 1.0]);
         assert_eq!(mesh.faces.corners.last(), Some(&if last.len() == 3 { [5, 6, 7] } else { [5, 7, 8] }));
-        let kept: Vec<[u32; 3]> = (0..count).map(|i| [i, i + 1, i + 2]).filter(|&c| has_area(&mesh.vertices, c)).collect();
+        let kept: Vec<[u32; 3]> =
+            (0..count).map(|i| [i, i + 1, i + 2]).filter(|&c| has_area(&mesh.vertices, c)).collect();
         assert_eq!(mesh.faces.corners[..kept.len()], kept[..]);
     }
 }

@@ -66,7 +66,7 @@ pub(crate) const LANES: usize = 4;
 
 /// Up to four triangles; unused lanes have corners that are not numbers, which no test lets pass.
 #[derive(Clone, Copy, Debug)]
-#[repr(C, align(16))]
+#[repr(C, align(32))]
 pub(crate) struct Block {
     /// `corner[k][axis][lane]`
     pub corner: [[[f32; LANES]; 3]; 3],
@@ -79,6 +79,9 @@ pub(crate) const LEAF: u32 = Child::LEAF;
 
 /// What the places in child words are multiples of: the largest factor that an address can have.
 pub(crate) const UNIT: usize = 8;
+
+/// Trees of more bytes are taken to be in no cache.
+const CACHED: usize = 16 << 20;
 
 /// The word of the root.
 pub(crate) const ROOT: u32 = 0;
@@ -93,6 +96,8 @@ pub struct MeshBvh {
     pub(crate) blocks: Vec<Block>,
     bounds: Aabb,
     isa: wide::Isa,
+    /// Is most of it in no cache, so that rays had better call for their next nodes early?
+    far_off: bool,
 }
 
 /// Sixteen rays that start close to each other and go much the same way.
@@ -153,7 +158,8 @@ impl MeshBvh {
             *word = leaf | ((*word & !LEAF) * (size / UNIT) as u32);
         }
         let isa = *wide::Isa::all().last().unwrap_or(&wide::Isa::Scalar);
-        MeshBvh { nodes, blocks, bounds, isa }
+        let far_off = size_of_val(&nodes[..]) + size_of_val(&blocks[..]) > CACHED;
+        MeshBvh { nodes, blocks, bounds, isa, far_off }
     }
 
     /// The node that a word names.
