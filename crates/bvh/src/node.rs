@@ -1,4 +1,5 @@
 //! The wide node: eight children's boxes side by side.
+use raggio_math::{Aabb, Vec3};
 
 /// Children per node.
 pub(crate) const WIDTH: usize = 8;
@@ -78,6 +79,16 @@ impl Node {
         ],
         child: [Child::LEAF; WIDTH],
     };
+
+    /// The boxes and words of the places that are in use.
+    pub(crate) fn children(&self) -> impl Iterator<Item = (Aabb, u32)> + '_ {
+        let corner = |first: usize, i: usize| {
+            let [x, y, z] = [0, 1, 2].map(|k| f64::from(self.bounds[first + k][i]));
+            Vec3::new(x, y, z)
+        };
+        let all = (0..WIDTH).map(move |i| (Aabb { min: corner(0, i), max: corner(3, i) }, self.child[i]));
+        all.filter(|(b, _)| !b.is_empty())
+    }
 
     /// A child in a tree over boxes.
     #[inline(always)]

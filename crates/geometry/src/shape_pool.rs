@@ -150,7 +150,7 @@ fn placed_shape(
     inverted: bool,
 ) -> PlacedShape {
     let shape = &leaves.shapes[id as usize];
-    let surface = transformed(&shape.bounds(), world_from_object);
+    let surface = shape.bounds_at(world_from_object);
     let inside = match shape.is_solid() {
         true => transformed(&shape.inside_bounds(), world_from_object),
         false => Aabb::EMPTY,

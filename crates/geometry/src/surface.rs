@@ -1,5 +1,7 @@
 //! What every shape can answer, in its own coordinates.
-use raggio_math::{Aabb, Ray, Vec2, Vec3};
+use raggio_math::{Aabb, Affine, Ray, Vec2, Vec3};
+
+use crate::index::transformed;
 
 /// A hit in a shape's own coordinates.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -27,6 +29,10 @@ impl LocalHit {
 pub trait Surface: Send + Sync {
     /// A box around its surface, infinite where it has no bounds.
     fn bounds(&self) -> Aabb;
+    /// A box around its surface once it is moved, where that is known better than from [`Surface::bounds`].
+    fn bounds_at(&self, to_from_here: &Affine) -> Aabb {
+        transformed(&self.bounds(), to_from_here)
+    }
     /// A box around its inside, where that is not the box of the surface (half spaces behind a disc, the ground under
     /// a height field).
     fn inside_bounds(&self) -> Aabb {

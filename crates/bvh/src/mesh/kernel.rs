@@ -146,7 +146,8 @@ macro_rules! kernel {
                     }
                     let base = if word & LEAF == 0 { self.nodes } else { self.blocks };
                     let at = base.wrapping_add((word & !LEAF) as usize * UNIT).cast::<i8>();
-                    // SAFETY: a prefetch of any address is harmless.
+                    // SAFETY: a prefetch of any address is harmless; newer compilers know that.
+                    #[allow(unused_unsafe)]
                     unsafe {
                         _mm_prefetch::<_MM_HINT_T0>(at);
                         _mm_prefetch::<_MM_HINT_T0>(at.wrapping_add(64));

@@ -177,6 +177,19 @@ impl MeshBvh {
         self.bounds
     }
 
+    /// A few boxes around parts of the mesh, which together hold all triangles: those of the top two levels. Turned,
+    /// they tell much better where the mesh then is than the box around it all.
+    pub fn parts(&self) -> Vec<Aabb> {
+        let mut parts = Vec::new();
+        for (b, word) in self.nodes[0].children() {
+            match word & LEAF {
+                0 => parts.extend(self.node(word).children().map(|(b, _)| b)),
+                _ => parts.push(b),
+            }
+        }
+        parts
+    }
+
     /// The size of the whole structure in bytes.
     pub fn bytes(&self) -> usize {
         size_of_val(&self.nodes[..]) + size_of_val(&self.blocks[..])

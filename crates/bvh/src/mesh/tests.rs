@@ -299,3 +299,19 @@ fn broken_rays_end_and_hit_nothing() {
         }
     }
 }
+
+/// Parts of the mesh, turned, hold all of it, and more tightly than the turned box of the whole.
+#[test]
+fn parts_hold_all_triangles() {
+    let (vertices, triangles) = soup(500, 0.1, &mut Random(21));
+    let bvh = MeshBvh::build(&vertices, &triangles);
+    let parts = bvh.parts();
+    assert!(parts.len() > 8 && parts.len() <= 64);
+    for corner in triangles.iter().flatten() {
+        let p = Vec3::from_array(vertices[*corner as usize].map(f64::from));
+        assert!(parts.iter().any(|part| part.contains(p)), "{p}");
+    }
+    assert_eq!(parts.iter().fold(Aabb::EMPTY, |all, part| all.union(part)), bvh.bounds());
+    assert!(MeshBvh::build(&vertices, &[]).parts().is_empty());
+    assert_eq!(MeshBvh::build(&vertices, &triangles[..1]).parts().len(), 1);
+}

@@ -2,10 +2,11 @@
 use std::sync::Arc;
 
 use raggio_bvh::mesh::{MeshBvh, TriangleHit};
-use raggio_math::{Aabb, Ray, Vec2, Vec3};
+use raggio_math::{Aabb, Affine, Ray, Vec2, Vec3};
 use raggio_scene::{FaceTexture, Mesh, MeshFace};
 
 use super::beyond;
+use crate::index::transformed;
 use crate::texturing::PartUses;
 use crate::{LocalHit, Surface};
 
@@ -19,6 +20,8 @@ const SAME_NORMAL: f64 = 1e-10;
 pub(crate) struct MeshShape {
     mesh: Arc<Mesh>,
     triangles: MeshBvh,
+    /// See [`MeshBvh::parts`].
+    parts: Vec<Aabb>,
 }
 
 impl From<TriangleHit> for LocalHit {
@@ -30,7 +33,8 @@ impl From<TriangleHit> for LocalHit {
 impl MeshShape {
     pub(crate) fn new(mesh: &Arc<Mesh>) -> Self {
         let triangles = MeshBvh::build(&mesh.vertices, &mesh.faces.corners);
-        MeshShape { mesh: mesh.clone(), triangles }
+        let parts = triangles.parts();
+        MeshShape { mesh: mesh.clone(), triangles, parts }
     }
 
     /// The nearest hit, or any that `stops` says yes to.
@@ -74,6 +78,10 @@ fn weights(hit: &LocalHit) -> [f64; 3] {
 impl Surface for MeshShape {
     fn bounds(&self) -> Aabb {
         self.triangles.bounds()
+    }
+
+    fn bounds_at(&self, to_from_here: &Affine) -> Aabb {
+        self.parts.iter().fold(Aabb::EMPTY, |all, part| all.union(&transformed(part, to_from_here)))
     }
 
     fn hits(&self, ray: &Ray, range: (f64, f64), out: &mut Vec<LocalHit>) {

@@ -66,6 +66,9 @@ macro_rules! shape_kinds {
             fn bounds(&self) -> Aabb {
                 match self { $(ShapeKind::$kind(s) => s.bounds(),)* }
             }
+            fn bounds_at(&self, to_from_here: &Affine) -> Aabb {
+                match self { $(ShapeKind::$kind(s) => s.bounds_at(to_from_here),)* }
+            }
             fn inside_bounds(&self) -> Aabb {
                 match self { $(ShapeKind::$kind(s) => s.inside_bounds(),)* }
             }
@@ -155,7 +158,7 @@ pub(crate) fn build(shape: &Shape) -> Result<ShapeKind, BuildError> {
         }
         Shape::Ovus { bottom, top } => ShapeKind::Ovus(ovus::Ovus::new(*bottom, *top)),
         Shape::BicubicPatch { flatness, u_steps, v_steps, points, uv, .. } => {
-            patch(points, *flatness, (*u_steps, *v_steps), *uv)
+            patch(points, *flatness, (*u_steps, *v_steps), **uv)
         }
         Shape::HeightField(field) => {
             ShapeKind::HeightField(Box::new(height_field::HeightField::new(field.clone())))
@@ -189,7 +192,7 @@ pub(crate) fn moved(shape: &Shape, world_from_object: &Affine) -> Option<ShapeKi
             if !is_rigid(world_from_object) =>
         {
             let points = points.map(|row| row.map(|p| world_from_object.transform_point3(p)));
-            Some(patch(&points, *flatness, (*u_steps, *v_steps), *uv))
+            Some(patch(&points, *flatness, (*u_steps, *v_steps), **uv))
         }
         Shape::Blob(blob) if !is_rigid(world_from_object) => {
             Some(ShapeKind::Blob(blob::Blob::new(blob, world_from_object)))
