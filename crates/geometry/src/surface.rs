@@ -1,7 +1,5 @@
 //! What every shape can answer, in its own coordinates.
-use raggio_math::{Aabb, Affine, Ray, Vec2, Vec3};
-
-use crate::index::transformed;
+use raggio_math::{Aabb, Ray, Vec2, Vec3};
 
 /// A hit in a shape's own coordinates.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -29,9 +27,10 @@ impl LocalHit {
 pub trait Surface: Send + Sync {
     /// A box around its surface, infinite where it has no bounds.
     fn bounds(&self) -> Aabb;
-    /// A box around its surface once it is moved, where that is known better than from [`Surface::bounds`].
-    fn bounds_at(&self, to_from_here: &Affine) -> Aabb {
-        transformed(&self.bounds(), to_from_here)
+    /// How far it reaches along a vector: no less than the greatest dot product with its points; `None` where nothing is
+    /// known but its box. Boxes of shapes that have been turned lie closer with it.
+    fn reach(&self, _along: Vec3) -> Option<f64> {
+        None
     }
     /// A box around its inside, where that is not the box of the surface (half spaces behind a disc, the ground under
     /// a height field).

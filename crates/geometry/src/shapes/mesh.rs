@@ -2,11 +2,10 @@
 use std::sync::Arc;
 
 use raggio_bvh::mesh::{MeshBvh, TriangleHit};
-use raggio_math::{Aabb, Affine, Ray, Vec2, Vec3};
+use raggio_math::{Aabb, Ray, Vec2, Vec3};
 use raggio_scene::{FaceTexture, Mesh, MeshFace};
 
 use super::beyond;
-use crate::index::transformed;
 use crate::texturing::PartUses;
 use crate::{LocalHit, Surface};
 
@@ -80,8 +79,9 @@ impl Surface for MeshShape {
         self.triangles.bounds()
     }
 
-    fn bounds_at(&self, to_from_here: &Affine) -> Aabb {
-        self.parts.iter().fold(Aabb::EMPTY, |all, part| all.union(&transformed(part, to_from_here)))
+    fn reach(&self, along: Vec3) -> Option<f64> {
+        let farthest = |part: &Aabb| (part.min * along).max(part.max * along).element_sum();
+        Some(self.parts.iter().map(farthest).fold(f64::NEG_INFINITY, f64::max))
     }
 
     fn hits(&self, ray: &Ray, range: (f64, f64), out: &mut Vec<LocalHit>) {

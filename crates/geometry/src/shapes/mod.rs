@@ -66,8 +66,8 @@ macro_rules! shape_kinds {
             fn bounds(&self) -> Aabb {
                 match self { $(ShapeKind::$kind(s) => s.bounds(),)* }
             }
-            fn bounds_at(&self, to_from_here: &Affine) -> Aabb {
-                match self { $(ShapeKind::$kind(s) => s.bounds_at(to_from_here),)* }
+            fn reach(&self, along: Vec3) -> Option<f64> {
+                match self { $(ShapeKind::$kind(s) => s.reach(along),)* }
             }
             fn inside_bounds(&self) -> Aabb {
                 match self { $(ShapeKind::$kind(s) => s.inside_bounds(),)* }
