@@ -248,8 +248,5 @@ impl<T> Tree<T> {
 
 fn set(node: &mut Node, slot: usize, run: &Run, word: u32) {
     node.child[slot] = word;
-    for axis in 0..3 {
-        node.bounds[axis][slot] = run.bounds.lo[axis];
-        node.bounds[axis + 3][slot] = run.bounds.hi[axis];
-    }
+    node.set_bounds(slot, &run.bounds);
 }

@@ -17,6 +17,7 @@ mod kernel;
 mod build;
 mod double;
 mod packet;
+mod refit;
 mod scalar;
 mod wide;
 

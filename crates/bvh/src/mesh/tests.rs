@@ -315,3 +315,27 @@ fn parts_hold_all_triangles() {
     assert!(MeshBvh::build(&vertices, &[]).parts().is_empty());
     assert_eq!(MeshBvh::build(&vertices, &triangles[..1]).parts().len(), 1);
 }
+
+/// A tree whose vertices have moved answers like one that was built where they are now, in small and in large meshes.
+#[test]
+fn a_tree_follows_its_vertices() {
+    let mut random = Random(23);
+    for count in [0, 3, 300, times(40_000)] {
+        let (mut vertices, triangles) = soup(count as u32, 0.05, &mut random);
+        let mut followed = MeshBvh::build(&vertices, &triangles);
+        for p in &mut vertices {
+            *p = [p[0] + 0.3 * p[1] * p[1], p[1] - p[2] + 1.0, 2.0 * p[2]];
+        }
+        followed.refit(&vertices, &triangles);
+        let built = MeshBvh::build(&vertices, &triangles);
+        assert_eq!(followed.bounds(), built.bounds());
+        let mut hits = 0;
+        for _ in 0..times(500) {
+            let ray = ray(random.point().map(|c| 3.0 * c), random.point());
+            assert_eq!(followed.closest(&ray).map(|h| h.t), built.closest(&ray).map(|h| h.t), "{ray:?}");
+            assert_eq!(followed.any(&ray), built.any(&ray), "{ray:?}");
+            hits += u32::from(built.any(&ray));
+        }
+        assert!(hits > 0 || count < 300 || cfg!(miri));
+    }
+}
