@@ -3,6 +3,7 @@
 //! Each family of formulas has its file; [`Kind`] lists them all, and is what evaluation dispatches on.
 mod block;
 mod compile;
+mod complex;
 mod crackle;
 mod density;
 mod fractal;
@@ -122,6 +123,12 @@ enum Kind {
     },
 }
 
+/// What becomes of each of four things. (The array's own `map` is not always inlined, and then costs more than the work.)
+#[inline(always)]
+pub(crate) fn each<A, B>([a, b, c, d]: &[A; 4], mut f: impl FnMut(&A) -> B) -> [B; 4] {
+    [f(a), f(b), f(c), f(d)]
+}
+
 /// A compiled object that is asked for insideness only.
 pub(super) struct Inside(Geometry);
 
@@ -155,6 +162,12 @@ impl Pattern {
         self.wave.apply(self.kind.value(p, context))
     }
 
+    /// The values at four points.
+    #[inline]
+    pub(crate) fn eval4(&self, points: &[Vec3; 4], context: &Context) -> [f64; 4] {
+        self.eval_warped4(&each(points, |&p| self.warp(p)), context)
+    }
+
     /// Is there a shortcut to values above a bound?
     pub(crate) fn foresees(&self) -> bool {
         self.wave.is_plain() && matches!(&self.kind, Kind::Crackle(crackle) if crackle.is_usual())
@@ -177,6 +190,11 @@ impl Pattern {
         match &self.kind {
             Kind::Bozo { noise } => values = noise4(*noise, points),
             Kind::Fractal(settings) => values = fractal::values(settings, points),
+            Kind::Granite { noise } => values = noisy::granite4(points, *noise),
+            Kind::Wrinkles { noise } => values = noisy::wrinkles4(points, *noise),
+            Kind::Pigment(pigment) => {
+                values = each(&pigment.sample4(points, context), |(color, _)| f64::from(grey(color.rgb)));
+            }
             kind => {
                 for (value, p) in values.iter_mut().zip(points) {
                     *value = kind.value(*p, context);
