@@ -88,7 +88,7 @@ pub(crate) fn flatten(objects: &[Arc<Object>], keep_all_bounds: bool) -> Result<
 
 /// Does its inside reach beyond its box, as that of a height field, of a disc, or of what is turned inside out?
 fn overreaches(built: &Built) -> bool {
-    built.surface.is_finite() && built.surface.union(&built.inside) != built.surface
+    built.surface.is_finite() && built.surface.union(&built.boxes().inside) != built.surface
 }
 
 impl Walk {
