@@ -307,11 +307,22 @@ impl Tree {
     }
 
     pub(crate) fn group_inside(&self, group: &Group, p: Vec3) -> bool {
-        self.within_clips(group, p)
-            && match group.op {
-                Op::Union | Op::Merge => self.any_contains(group, p, NOBODY),
-                Op::Intersection => !self.any_lacks(group, p, NOBODY),
-            }
+        self.within_clips(group, p) && self.unclipped_inside(group, p)
+    }
+
+    /// Is the point inside the node, if that had no clips of its own?
+    pub(crate) fn inside_unclipped(&self, node: NodeRef, p: Vec3) -> bool {
+        match node.node() {
+            Node::Leaf(leaf) => self.leaves.inside(leaf, p),
+            Node::Group(group) => self.unclipped_inside(&self.groups[group as usize], p),
+        }
+    }
+
+    fn unclipped_inside(&self, group: &Group, p: Vec3) -> bool {
+        match group.op {
+            Op::Union | Op::Merge => self.any_contains(group, p, NOBODY),
+            Op::Intersection => !self.any_lacks(group, p, NOBODY),
+        }
     }
 
     fn any_contains(&self, group: &Group, p: Vec3, except: u32) -> bool {

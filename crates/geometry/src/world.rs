@@ -177,6 +177,8 @@ pub struct Geometry {
     pub(crate) world: Group,
     /// All of the world, if it is a few simple leaves: asked without their boxes.
     pub(crate) few: Vec<Member>,
+    /// Top-level members that contain points outside their boxes, sorted, with these.
+    overreaching: Vec<(u32, Aabb)>,
     bounds: Aabb,
     parts: Parts,
 }
@@ -200,7 +202,7 @@ impl Geometry {
     }
 
     fn new(flat: Flat) -> Self {
-        let Flat { leaves, groups, world, few, bounds, materials, lights, parts } = flat;
+        let Flat { leaves, groups, world, few, overreaching, bounds, materials, lights, parts } = flat;
         Geometry {
             materials: materials.materials,
             textures: materials.textures,
@@ -210,6 +212,7 @@ impl Geometry {
             tree: Tree { leaves, groups },
             world,
             few,
+            overreaching,
             bounds,
             parts,
         }
@@ -289,13 +292,18 @@ impl Geometry {
     }
 
     /// The interiors of all objects that contain the point, in the order of the scene (the start of a ray's list).
+    /// Outside the box of an object nothing counts, and its clips do not.
     pub fn interiors_at(&self, p: Vec3) -> SmallVec<[InteriorId; 8]> {
         let mut around: SmallVec<[u32; 8]> = SmallVec::new();
         self.world.deciders.any(p, |m, known| {
-            if known.unwrap_or_else(|| self.tree.inside(self.world.members[m as usize].node, p)) {
+            if known.unwrap_or_else(|| self.tree.inside_unclipped(self.world.members[m as usize].node, p)) {
                 around.push(m);
             }
             false
+        });
+        around.retain(|m| match self.overreaching.binary_search_by_key(m, |&(member, _)| member) {
+            Ok(at) => self.overreaching[at].1.contains(p),
+            Err(_) => true,
         });
         around.sort_unstable();
         let mut found = SmallVec::new();
