@@ -128,10 +128,10 @@ const NOBODY: u32 = u32::MAX;
 impl Group {
     /// The part of a range in which a ray may hit it, as far as its convex part tells.
     #[inline(always)]
-    fn span(&self, ray: &Ray, range: (f64, f64)) -> Option<(f64, f64)> {
+    fn span(&self, leaves: &Leaves, ray: &Ray, range: (f64, f64)) -> Option<(f64, f64)> {
         match &self.convex {
             None => Some(range),
-            Some(convex) => convex.span(ray, range),
+            Some(convex) => convex.span(leaves, ray, range),
         }
     }
 
@@ -175,11 +175,11 @@ impl Tree {
         {
             return found;
         }
+        let range = group.span(&self.leaves, &probe.ray, range)?;
         if !self.within_bounds(group, probe, scratch) {
             return None;
         }
         let all_count = group.all_count();
-        let range = group.span(&probe.ray, range)?;
         let mut best: Option<Hit> = None;
         group.surfaces.closest(probe, range, |index, far, within| {
             let member = &group.members[index as usize];
@@ -261,11 +261,11 @@ impl Tree {
             }
             hits.truncate(start);
         }
+        let Some(range) = group.span(&self.leaves, &probe.ray, range) else { return };
         if !self.within_bounds(group, probe, scratch) {
             return;
         }
         let all_count = group.all_count();
-        let Some(range) = group.span(&probe.ray, range) else { return };
         group.surfaces.all(probe, range, |index| {
             let member = &group.members[index as usize];
             if member.skip & class != 0 {
