@@ -18,6 +18,8 @@ pub struct Interior {
     pub fade_color: Rgb,
     /// Old `refraction r` of a finish: multiplies what is transmitted.
     pub old_refraction: f32,
+    /// Was it made of nothing but old words of a finish? Then combinations take it over.
+    pub from_finish: bool,
     pub media: Vec<Placed<Media>>,
 }
 
@@ -32,6 +34,7 @@ impl Default for Interior {
             fade_power: 0.0,
             fade_color: Rgb::ZERO,
             old_refraction: 1.0,
+            from_finish: false,
             media: Vec::new(),
         }
     }

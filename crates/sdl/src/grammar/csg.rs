@@ -3,7 +3,7 @@ use std::sync::Arc;
 
 use raggio_scene::{Csg, Object, ObjectKind};
 
-use super::{modifiers, object};
+use super::{interior, modifiers, object};
 use crate::parser::{Parser, Result};
 
 /// `union { ... }`, also `composite`.
@@ -54,10 +54,11 @@ fn member(p: &mut Parser, op: Csg, members: &mut Vec<Arc<Object>>) -> Result<boo
     Ok(true)
 }
 
-fn combined(op: Csg, members: Vec<Arc<Object>>) -> Object {
+fn combined(op: Csg, mut members: Vec<Arc<Object>>) -> Object {
+    let interior = interior::take_legacy(&mut members);
     let mut solids = members.iter().filter(|member| !matches!(member.kind, ObjectKind::Light(_))).peekable();
     let no_shadow = op == Csg::Union && solids.peek().is_some() && solids.all(|member| member.no_shadow);
     let mut object = Object::new(ObjectKind::Csg { op, children: Arc::new(members) });
-    object.no_shadow = no_shadow;
+    (object.no_shadow, object.interior) = (no_shadow, interior);
     object
 }

@@ -1,7 +1,7 @@
 //! `interior { ... }` and `material { ... }`.
 use std::sync::Arc;
 
-use raggio_scene::{Interior, LegacyInterior, Placed, Texture, TextureKind};
+use raggio_scene::{Interior, LegacyInterior, Object, Placed, Texture, TextureKind};
 
 use super::util::{count, set_rgb, set32, take};
 use super::{media, texture};
@@ -65,11 +65,23 @@ pub fn adopt_legacy(texture: &Texture, interior: &mut Option<Placed<Interior>>) 
     else {
         return;
     };
-    let placed = interior.get_or_insert_with(|| Placed::new(Arc::new(Interior::default())));
+    let made = || Arc::new(Interior { from_finish: true, ..Interior::default() });
+    let placed = interior.get_or_insert_with(|| Placed::new(made()));
     let new = Arc::make_mut(&mut placed.item);
     new.ior = ior.unwrap_or(new.ior);
     new.caustics = caustics.unwrap_or(new.caustics);
     new.old_refraction = refraction.unwrap_or(new.old_refraction);
+}
+
+/// The interior that old finishes have given to members of a combination: the last one's, which becomes that of all
+/// members that have none of their own.
+pub fn take_legacy(members: &mut [Arc<Object>]) -> Option<Placed<Interior>> {
+    let old = |member: &Object| member.interior.as_ref().is_some_and(|interior| interior.item.from_finish);
+    let mut taken = None;
+    for member in members.iter_mut().filter(|member| old(member)) {
+        taken = Arc::make_mut(member).interior.take();
+    }
+    taken
 }
 
 /// `{ ... }` of a material; the word has been read.
