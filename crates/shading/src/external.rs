@@ -2,7 +2,7 @@
 use std::any::Any;
 use std::sync::Arc;
 
-use raggio_function::External;
+use raggio_function::{Bounds, External};
 use raggio_math::Vec3;
 use raggio_scene as scene;
 
@@ -53,9 +53,17 @@ fn point(args: &[f64]) -> Vec3 {
     Vec3::new(at(0), at(1), at(2))
 }
 
+fn place(args: &[Bounds]) -> [Bounds; 3] {
+    std::array::from_fn(|k| args.get(k).copied().unwrap_or(Bounds::constant(0.0)))
+}
+
 impl External for PigmentFunction {
     fn eval(&self, args: &[f64]) -> [f64; 5] {
         self.pigment.sample(point(args), &Context::NONE).0.to_array()
+    }
+
+    fn enclose(&self, args: &[Bounds]) -> [Bounds; 5] {
+        self.pigment.enclose(place(args))
     }
 
     fn components(&self) -> usize {
@@ -70,6 +78,12 @@ impl External for PigmentFunction {
 impl External for PatternFunction {
     fn eval(&self, args: &[f64]) -> [f64; 5] {
         [self.pattern.eval(point(args), &Context::NONE), 0.0, 0.0, 0.0, 0.0]
+    }
+
+    fn enclose(&self, args: &[Bounds]) -> [Bounds; 5] {
+        let mut answer = [Bounds::constant(0.0); 5];
+        answer[0] = self.pattern.enclose(place(args));
+        answer
     }
 
     fn components(&self) -> usize {

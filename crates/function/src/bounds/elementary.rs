@@ -5,8 +5,10 @@ use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 use super::{Bounds, Range, VARIABLES};
 use crate::{BinaryOp, Builtin};
 
-fn each(f: impl Fn(usize) -> Range) -> [Range; VARIABLES] {
-    std::array::from_fn(f)
+/// For each variable. Written out, for `from_fn` is not opened in place.
+#[inline(always)]
+pub(super) fn each(f: impl Fn(usize) -> Range) -> [Range; VARIABLES] {
+    [f(0), f(1), f(2)]
 }
 
 impl Add for Bounds {
@@ -33,7 +35,7 @@ impl Neg for Bounds {
     type Output = Bounds;
     #[inline]
     fn neg(self) -> Bounds {
-        Bounds { value: -self.value, slopes: self.slopes.map(|s| -s), turns: self.turns }
+        Bounds { value: -self.value, slopes: each(|k| -self.slopes[k]), turns: self.turns }
     }
 }
 
@@ -130,7 +132,7 @@ impl Bounds {
             -self
         } else {
             let value = Range { lo: 0.0, hi: self.value.size() };
-            Bounds::new(value, self.slopes.map(|s| s.hull(-s)))
+            Bounds::new(value, each(|k| self.slopes[k].hull(-self.slopes[k])))
         }
     }
 
@@ -161,7 +163,8 @@ impl Bounds {
         -(-self).min(-o.into())
     }
 
-    pub(crate) fn clamp(self, low: f64, high: f64) -> Bounds {
+    /// Within two numbers.
+    pub fn clamp(self, low: f64, high: f64) -> Bounds {
         self.max(low).min(high)
     }
 

@@ -69,16 +69,18 @@ impl Program {
     fn enclose_call(&self, index: u32, r: &mut [Bounds]) {
         let call = &self.calls[index as usize];
         let args: Vec<Bounds> = call.args.iter().map(|&i| r[i as usize]).collect();
-        let value = match &call.target {
-            Target::Internal(entry) => enclose_internal(entry.bounds, &args),
-            Target::Noise(generator) => match args[..] {
-                [x, y, z] => super::noise::enclose(*generator, [x, y, z]),
-                _ => Bounds::UNKNOWN,
-            },
-            Target::User(f) => f.enclose_openly(&args),
-            Target::External(_) => Bounds::UNKNOWN,
-        };
-        for &register in &call.outputs {
+        let mut values = [Bounds::UNKNOWN; 5];
+        match &call.target {
+            Target::Internal(entry) => values[0] = enclose_internal(entry.bounds, &args),
+            Target::Noise(generator) => {
+                if let [x, y, z] = args[..] {
+                    values[0] = super::noise::enclose(*generator, [x, y, z]);
+                }
+            }
+            Target::User(f) => values[0] = f.enclose_openly(&args),
+            Target::External(e) => values = e.enclose(&args),
+        }
+        for (&register, value) in call.outputs.iter().zip(values) {
             r[register as usize] = value;
         }
     }
