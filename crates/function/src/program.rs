@@ -197,9 +197,9 @@ impl Program {
 
     #[inline(always)]
     fn run_in(&self, mut r: impl Registers, args: &[f64]) -> f64 {
-        for (register, &arg) in self.params.iter().zip(args) {
-            if let Some(register) = register {
-                r.set(*register, arg);
+        for (i, &arg) in args.iter().enumerate() {
+            if let Some(&Some(register)) = self.params.get(i) {
+                r.set(register, arg);
             }
         }
         let mut next = 0;

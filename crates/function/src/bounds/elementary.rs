@@ -180,6 +180,33 @@ impl Bounds {
         quarter.sin()
     }
 
+    /// The length of a vector. Its slope along a component is the component's share of it, within -1 and 1: it rises
+    /// with the component and is the flatter the longer the others are.
+    pub(crate) fn length(v: [Bounds; 3]) -> Bounds {
+        if v.iter().any(Bounds::is_vague) {
+            return Bounds::UNKNOWN;
+        }
+        let [x, y, z] = [v[0].value, v[1].value, v[2].value];
+        let squares = [x.squared(), y.squared(), z.squared()];
+        let square = squares[0] + squares[1] + squares[2];
+        if square.hi == f64::INFINITY {
+            return Bounds::UNKNOWN;
+        }
+        let share = |own: f64, rest: f64| {
+            let length = (own * own + rest).sqrt();
+            if length > 0.0 { own / length } else { 0.0 }
+        };
+        let gradient = each(|k| {
+            let (own, rest) = (v[k].value, squares[(k + 1) % 3] + squares[(k + 2) % 3]);
+            Range {
+                lo: share(own.lo, if own.lo > 0.0 { rest.hi } else { rest.lo }),
+                hi: share(own.hi, if own.hi > 0.0 { rest.lo } else { rest.hi }),
+            }
+        });
+        let value = square.rising(f64::sqrt);
+        Bounds::of_point(value, gradient, &v)
+    }
+
     pub(crate) fn exp(self) -> Bounds {
         if self.is_vague() {
             return Bounds::UNKNOWN;

@@ -14,7 +14,7 @@ use smallvec::SmallVec;
 use super::super::container;
 
 /// Boxes are cut in two this many times at most.
-const MOST_CUTS: u8 = 14;
+const MOST_CUTS: u8 = 16;
 /// Where slopes seem steeper than so many times the scene's maximal gradient their bounds are too wide to tell anything
 /// soon, and boxes are cut this many times at most.
 const TOO_STEEP: f64 = 1.5;
@@ -250,11 +250,12 @@ impl Field {
     #[inline]
     pub(super) fn walk<'a>(&'a self, ray: &Ray, (from, to): (f64, f64)) -> Walk<'a> {
         let root = self.root.get_or_init(|| self.cell(self.bounds, None));
+        let near = |along: f64| usize::from(along.is_sign_negative());
         let mut walk = Walk {
             field: self,
             origin: ray.origin.into(),
             inverse: ray.dir.recip().into(),
-            near: ray.dir.to_array().map(|along| usize::from(along.is_sign_negative())),
+            near: [near(ray.dir.x), near(ray.dir.y), near(ray.dir.z)],
             cell: root,
             stretch: (from, to),
             waiting: SmallVec::new(),
