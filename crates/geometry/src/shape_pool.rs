@@ -7,7 +7,7 @@ use rustc_hash::FxHashMap;
 
 use crate::index::transformed;
 use crate::leaf::{Leaves, Prim};
-use crate::shapes::{self, Cuboid, Plane, Sphere};
+use crate::shapes::{self, Cuboid, Plane, ShapeKind, Sphere};
 use crate::{BuildError, Surface};
 
 /// Remembers which shapes and places are there already.
@@ -150,12 +150,28 @@ fn placed_shape(
     inverted: bool,
 ) -> PlacedShape {
     let shape = &leaves.shapes[id as usize];
-    let surface = transformed(&shape.bounds(), world_from_object);
+    let surface = placed_box(shape, world_from_object);
     let inside = match shape.is_solid() {
+        true if shape.inside_bounds() == shape.bounds() => surface,
         true => transformed(&shape.inside_bounds(), world_from_object),
         false => Aabb::EMPTY,
     };
     boxed(prim, inverted, surface, inside)
+}
+
+/// The box around a shape at its place.
+fn placed_box(shape: &ShapeKind, world_from_object: &Affine) -> Aabb {
+    let loose = transformed(&shape.bounds(), world_from_object);
+    let rows = world_from_object.matrix3.transpose();
+    let rows = [rows.x_axis, rows.y_axis, rows.z_axis];
+    let reach = |sign: f64| -> Option<Vec3> {
+        let [x, y, z] = rows.map(|row| shape.reach(row * sign));
+        Some(Vec3::new(x?, y?, z?) * sign + world_from_object.translation)
+    };
+    match (reach(-1.0), reach(1.0)) {
+        (Some(min), Some(max)) if !loose.is_empty() => loose.intersection(&Aabb { min, max }),
+        _ => loose,
+    }
 }
 
 fn boxed(prim: Prim, inverted: bool, surface: Aabb, inside: Aabb) -> PlacedShape {

@@ -27,6 +27,11 @@ impl LocalHit {
 pub trait Surface: Send + Sync {
     /// A box around its surface, infinite where it has no bounds.
     fn bounds(&self) -> Aabb;
+    /// How far it reaches along a vector: no less than the greatest dot product with its points; `None` where nothing is
+    /// known but its box. Boxes of shapes that have been turned lie closer with it.
+    fn reach(&self, _along: Vec3) -> Option<f64> {
+        None
+    }
     /// A box around its inside, where that is not the box of the surface (half spaces behind a disc, the ground under
     /// a height field).
     fn inside_bounds(&self) -> Aabb {

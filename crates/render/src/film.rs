@@ -1,10 +1,10 @@
 //! The film: tiles handed to threads, put together to a picture.
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::time::Duration;
 
-use rayon::prelude::*;
-
-use crate::api::{Film, Options, Region};
+use crate::antialias::{First, Patch};
+use crate::api::{Antialias, Film, Options, Region};
 use crate::sampler::Sampler;
 use crate::world::World;
 use crate::{photons, radiosity};
@@ -86,18 +86,100 @@ impl World {
     ) -> Vec<Vec<Pixel>> {
         let photons = photons::shoot(self, options, stack, cancel);
         let cache = radiosity::pretrace(self, options, &photons, tiles, stack, cancel);
-        let (done, total) = (AtomicUsize::new(0), tiles.iter().map(Tile::area).sum());
-        let render = |tile: &Tile| {
-            if cancel.load(Ordering::Relaxed) {
+        let sampler = || {
+            let radiosity = self.radiosity.as_ref().map(|rules| radiosity::State::new(rules, &cache, false));
+            Sampler::new(self, options, stack, radiosity, &photons)
+        };
+        let all = Progress { total: options.area().area(), halves: AtomicUsize::new(0), tell: progress };
+        let cancelled = || cancel.load(Ordering::Relaxed);
+        // With radiosity a sample depends on those before it in its tile.
+        let early = options.antialias.filter(|_| self.radiosity.is_none());
+        let known = early.map(|antialias| first_samples(options, &antialias, &sampler, &cancelled, &all));
+        let order = match &known {
+            Some((_, efforts)) => heaviest_first(tiles, efforts, &options.area()),
+            None => (0..tiles.len()).collect(),
+        };
+        in_turn(&order, |i| {
+            if cancelled() {
                 return Vec::new();
             }
-            let radiosity = self.radiosity.as_ref().map(|rules| radiosity::State::new(rules, &cache, false));
-            let pixels = Sampler::new(self, options, stack, radiosity, &photons).tile(tile);
-            progress(done.fetch_add(tile.area(), Ordering::Relaxed) + tile.area(), total);
+            let first = known.as_ref().map(|(first, _)| first);
+            let pixels = sampler().tile(&tiles[i], first);
+            all.advance(tiles[i].area() * if first.is_some() { 1 } else { 2 });
             pixels
-        };
-        tiles.par_iter().with_max_len(1).map(render).collect()
+        })
     }
+}
+
+/// How far a picture is; each pixel counts half when it has its first sample.
+struct Progress<'a> {
+    total: usize,
+    halves: AtomicUsize,
+    tell: &'a (dyn Fn(usize, usize) + Sync),
+}
+
+impl Progress<'_> {
+    fn advance(&self, halves: usize) {
+        (self.tell)((self.halves.fetch_add(halves, Ordering::Relaxed) + halves) / 2, self.total);
+    }
+}
+
+/// Takes the samples that every pixel has, and tells by small tile about how long more will take.
+fn first_samples<'w>(
+    options: &Options,
+    antialias: &Antialias,
+    sampler: &(impl Fn() -> Sampler<'w> + Sync),
+    cancelled: &(impl Fn() -> bool + Sync),
+    all: &Progress<'_>,
+) -> (First, Vec<Duration>) {
+    let region = options.area();
+    let parts = tiles(&First::extent(&region, antialias.method), SMALL_TILE);
+    let (width, height) = (region.right - region.left, region.bottom - region.top);
+    let inside = |range: &Range<usize>, end: usize| range.end.min(end) - range.start.min(end);
+    let order: Vec<usize> = (0..parts.len()).collect();
+    let patches = in_turn(&order, |i| {
+        if cancelled() {
+            return Patch::default();
+        }
+        let part = &parts[i];
+        let patch = sampler().patch(&region, part, antialias);
+        all.advance(inside(&part.x, width) * inside(&part.y, height));
+        patch
+    });
+    let first = First::assemble(&region, antialias.method, &parts, &patches);
+    (first, patches.iter().map(|patch| patch.effort).collect())
+}
+
+/// The numbers of tiles, those that will take longest first, so that no thread is left with a long one at the end.
+fn heaviest_first(tiles: &[Tile], efforts: &[Duration], region: &Region) -> Vec<usize> {
+    // Small tiles of the lattice of first samples, which has one column more than the region.
+    let columns = (region.right - region.left + 1).div_ceil(SMALL_TILE);
+    let effort = |tile: &Tile| -> Duration {
+        let small = |range: &Range<usize>, start: usize| {
+            (range.start - start) / SMALL_TILE..(range.end - start).div_ceil(SMALL_TILE)
+        };
+        let (x, y) = (small(&tile.x, region.left), small(&tile.y, region.top));
+        y.flat_map(|y| x.clone().map(move |x| y * columns + x)).filter_map(|i| efforts.get(i)).sum()
+    };
+    let mut order: Vec<usize> = (0..tiles.len()).collect();
+    order.sort_by_cached_key(|&i| std::cmp::Reverse(effort(&tiles[i])));
+    order
+}
+
+/// Works on `0..n` in the order given, each thread of the pool taking the next when it is done with one. The results
+/// come by number.
+fn in_turn<T: Send>(order: &[usize], work: impl Fn(usize) -> T + Sync) -> Vec<T> {
+    let next = AtomicUsize::new(0);
+    let made = rayon::broadcast(|_| {
+        let mut made = Vec::new();
+        while let Some(&i) = order.get(next.fetch_add(1, Ordering::Relaxed)) {
+            made.push((i, work(i)));
+        }
+        made
+    });
+    let mut all: Vec<(usize, T)> = made.into_iter().flatten().collect();
+    all.sort_unstable_by_key(|(i, _)| *i);
+    all.into_iter().map(|(_, result)| result).collect()
 }
 
 fn assemble(region: &Region, tiles: &[Tile], parts: &[Vec<Pixel>]) -> Film {
@@ -119,6 +201,27 @@ fn assemble(region: &Region, tiles: &[Tile], parts: &[Vec<Pixel>]) -> Film {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn turns_follow_the_order_and_results_the_numbers() {
+        let order = [3, 1, 0, 2];
+        let turn = AtomicUsize::new(0);
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a pool");
+        let made = pool.install(|| in_turn(&order, |i| (i, turn.fetch_add(1, Ordering::Relaxed))));
+        assert_eq!(made, [(0, 2), (1, 1), (2, 3), (3, 0)]);
+    }
+
+    #[test]
+    fn the_heaviest_tile_goes_first() {
+        let region = Region { left: 7, top: 0, right: 71, bottom: 32 };
+        let tiles = tiles(&region, TILE);
+        // Five small tiles in a row of the lattice, three rows.
+        let mut efforts = vec![Duration::ZERO; 15];
+        efforts[5 + 3] = Duration::from_millis(2);
+        assert_eq!(heaviest_first(&tiles, &efforts, &region), [1, 0]);
+        efforts[1] = Duration::from_millis(3);
+        assert_eq!(heaviest_first(&tiles, &efforts, &region), [0, 1]);
+    }
 
     #[test]
     fn tiles_cover_a_region_once() {

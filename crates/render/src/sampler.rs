@@ -2,8 +2,8 @@
 use raggio_geometry::RayClass;
 use raggio_math::Ray;
 
-use crate::antialias::{Difference, NonRecursive, Recursive};
-use crate::api::{AntialiasMethod, Options};
+use crate::antialias::{Difference, First, NonRecursive, Patch, Recursive, Shoot, Viewed};
+use crate::api::{Antialias, AntialiasMethod, Options, Region};
 use crate::camera::{Frame, Lens};
 use crate::film::{Pixel, Tile};
 use crate::integrator::{Beam, Quality, Tracer};
@@ -14,6 +14,26 @@ use crate::world::World;
 
 /// What is where no ray leaves the camera.
 const NOTHING: Pixel = [0.0, 0.0, 0.0, 1.0];
+
+/// Samples for anti-aliasing.
+struct Samples<'s, 'w> {
+    sampler: &'s mut Sampler<'w>,
+    differs: Difference,
+    known: Option<&'s First>,
+}
+
+impl Shoot for Samples<'_, '_> {
+    fn first(&mut self, x: f64, y: f64) -> Viewed {
+        match self.known {
+            Some(first) => first.at(x, y),
+            None => self.differs.view(self.sampler.sample(x, y)),
+        }
+    }
+
+    fn more(&mut self, x: f64, y: f64) -> Pixel {
+        self.sampler.sample(x, y)
+    }
+}
 
 /// Takes samples for one tile.
 pub struct Sampler<'w> {
@@ -52,23 +72,33 @@ impl<'w> Sampler<'w> {
         }
     }
 
-    /// All pixels of a tile, row by row.
-    pub fn tile(&mut self, tile: &Tile) -> Vec<Pixel> {
+    /// All pixels of a tile, row by row. What is known of anti-aliasing's first samples is not taken again.
+    pub fn tile(&mut self, tile: &Tile, known: Option<&First>) -> Vec<Pixel> {
         let Some(antialias) = self.options.antialias else {
             let places = tile.y.clone().flat_map(|y| tile.x.clone().map(move |x| (x as f64, y as f64)));
             return places.map(|(x, y)| self.sample(x, y)).collect();
         };
-        let differs = Difference::new(self.tracer.world.rules.gamma, antialias.gamma, antialias.threshold);
-        let mut shoot = |x: f64, y: f64| self.sample(x, y);
+        let differs = self.difference(&antialias);
+        let mut samples = Samples { sampler: self, differs, known };
         match antialias.method {
             AntialiasMethod::NonRecursive => {
                 NonRecursive { differs, depth: antialias.depth, jitter: antialias.jitter }
-                    .tile(tile, &mut shoot)
+                    .tile(tile, &mut samples)
             }
             AntialiasMethod::Recursive => {
-                Recursive::new(differs, antialias.depth, antialias.jitter).tile(tile, &mut shoot)
+                Recursive::new(differs, antialias.depth, antialias.jitter).tile(tile, &mut samples)
             }
         }
+    }
+
+    /// Some of anti-aliasing's first samples.
+    pub fn patch(&mut self, region: &Region, part: &Tile, antialias: &Antialias) -> Patch {
+        let differs = self.difference(antialias);
+        First::patch(region, antialias, part, &differs, |x, y| self.sample(x, y))
+    }
+
+    fn difference(&self, antialias: &Antialias) -> Difference {
+        Difference::new(self.tracer.world.rules.gamma, antialias.gamma, antialias.threshold)
     }
 
     /// The picture at a place in pixel coordinates, where a pixel's centre is an integer.

@@ -21,8 +21,8 @@ pub struct World {
     textures: Vec<WorldTexture>,
     /// By `InteriorId`.
     interiors: Vec<WorldInterior>,
-    /// By `MaterialId`: does nothing shine through?
-    opaque: Vec<bool>,
+    /// By `MaterialId`.
+    panes: Vec<Pane>,
     pub(crate) lights: Vec<LightSource>,
     pub(crate) light_sets: LightSets,
     pub(crate) camera: Camera,
@@ -38,6 +38,17 @@ pub struct World {
     pub(crate) subsurface: Option<subsurface::Rules>,
     /// Does any interior or empty space have media?
     pub(crate) any_media: bool,
+}
+
+/// What a material does to light that goes straight through.
+#[derive(Clone, Copy)]
+enum Pane {
+    /// It stops all of it.
+    Opaque,
+    /// It tints it in the same way everywhere.
+    Even(Rgb),
+    /// Its textures have to be asked.
+    Varied,
 }
 
 /// A compiled texture at its place.
@@ -108,7 +119,7 @@ impl World {
             subsurface: subsurface::Rules::new(&scene.settings),
             camera: Camera::build(&scene.camera, rules.noise, &geometry)?,
             sky: Sky::new(scene, rules.noise),
-            opaque: opaque_materials(&geometry, &textures),
+            panes: panes(&geometry, &textures, &interiors),
             geometry,
             textures,
             interiors,
@@ -170,7 +181,19 @@ impl World {
 
     /// Does the surface of a leaf stop all light?
     pub(crate) fn stops_at(&self, leaf: u32) -> bool {
-        self.geometry.plain_material(leaf).is_some_and(|material| self.opaque[material.0 as usize])
+        matches!(self.pane(leaf), Pane::Opaque)
+    }
+
+    /// The light that the surface at a hit lets through, where that is the same all over it.
+    pub(crate) fn even_tint(&self, hit: &Hit) -> Option<Rgb> {
+        match self.pane(hit.leaf) {
+            Pane::Even(tint) => Some(tint),
+            _ => None,
+        }
+    }
+
+    fn pane(&self, leaf: u32) -> Pane {
+        self.geometry.plain_material(leaf).map_or(Pane::Varied, |material| self.panes[material.0 as usize])
     }
 
     /// Do photons bring what a surface lets through of a light?
@@ -223,10 +246,19 @@ fn compile_textures(geometry: &Geometry, noise: Noise) -> (Vec<WorldTexture>, bo
     (placed.iter().zip(compiled).map(at_place).collect(), asks_uv)
 }
 
-fn opaque_materials(geometry: &Geometry, textures: &[WorldTexture]) -> Vec<bool> {
-    let opaque = |id: TextureId| textures[id.0 as usize].texture.is_opaque();
-    let all = |m: &Material| m.texture.is_some_and(opaque) && m.interior_texture.is_none_or(opaque);
-    geometry.materials.iter().map(all).collect()
+fn panes(geometry: &Geometry, textures: &[WorldTexture], interiors: &[WorldInterior]) -> Vec<Pane> {
+    let texture = |id: TextureId| &textures[id.0 as usize].texture;
+    let pane = |m: &Material| {
+        let opaque = |id| texture(id).is_opaque();
+        if m.texture.is_some_and(opaque) && m.interior_texture.is_none_or(opaque) {
+            return Pane::Opaque;
+        }
+        let bundles = interiors[m.interior.0 as usize].interior.caustics != 0.0;
+        let even = |id| texture(id).even_transmission();
+        let tint = m.texture.filter(|_| m.interior_texture.is_none() && !bundles).and_then(even);
+        tint.map_or(Pane::Varied, Pane::Even)
+    };
+    geometry.materials.iter().map(pane).collect()
 }
 
 fn compile_interiors(geometry: &Geometry, rules: &Rules, subsurface: bool) -> Vec<WorldInterior> {

@@ -67,6 +67,16 @@ impl<T> Map<T> {
         if total == 0.0 { 1.0 } else { total }
     }
 
+    /// The last entry, and the position from which on there is nothing else.
+    pub fn tail(&self) -> Option<(f64, &T)>
+    where
+        T: PartialEq,
+    {
+        let last = self.items.last().filter(|_| self.sorted)?;
+        let others = self.items.iter().rposition(|item| item != last).map_or(0, |i| i + 1);
+        Some((f64::from(self.positions[others]), last))
+    }
+
     pub fn items(&self) -> impl Iterator<Item = &T> {
         self.items.iter()
     }
@@ -159,6 +169,17 @@ mod tests {
             let v = f64::from(i) / 190.0;
             assert_eq!(halved.at(v), walked.at(v), "{v}");
         }
+    }
+
+    #[test]
+    fn the_tail_is_what_stays_the_same_to_the_end() {
+        let colors = |all: &[(f32, char)]| Map::new(all.iter().copied());
+        assert_eq!(
+            colors(&[(0.0, 'a'), (0.1, 'b'), (0.5, 'b'), (1.0, 'b')]).tail(),
+            Some((f64::from(0.1f32), &'b'))
+        );
+        assert_eq!(colors(&[(0.2, 'a')]).tail(), Some((f64::from(0.2f32), &'a')));
+        assert_eq!(colors(&[(0.6, 'a'), (0.2, 'b')]).tail(), None);
     }
 
     #[test]

@@ -23,10 +23,29 @@ pub struct Pigment {
 #[derive(Debug)]
 enum Kind {
     Solid(Color),
-    Colors { pattern: Box<Pattern>, map: Map<Color> },
-    Pigments { pattern: Box<Pattern>, map: Map<Arc<Pigment>> },
-    Average { pattern: Box<Pattern>, map: Map<Arc<Pigment>> },
-    Image { warps: WarpList, image: Box<Image> },
+    Colors {
+        pattern: Box<Pattern>,
+        map: Map<Color>,
+    },
+    /// The same where the pattern knows large values beforehand: above a bound there is one color.
+    Foreseen {
+        pattern: Box<Pattern>,
+        map: Map<Color>,
+        bound: f64,
+        beyond: Color,
+    },
+    Pigments {
+        pattern: Box<Pattern>,
+        map: Map<Arc<Pigment>>,
+    },
+    Average {
+        pattern: Box<Pattern>,
+        map: Map<Arc<Pigment>>,
+    },
+    Image {
+        warps: WarpList,
+        image: Box<Image>,
+    },
     Uv(Arc<Pigment>),
 }
 
@@ -43,7 +62,7 @@ impl Compiler {
         let kind = match &pigment.kind {
             PigmentKind::Solid(color) => Kind::Solid(*color),
             PigmentKind::ColorMap { pattern, map } => {
-                Kind::Colors { pattern: Box::new(self.pattern(pattern)), map: Map::new(map.iter().copied()) }
+                colors(self.pattern(pattern), Map::new(map.iter().copied()))
             }
             PigmentKind::PigmentMap { pattern, map } => {
                 let map = Map::new(map.iter().map(|(at, entry)| (*at, self.shared_pigment(entry))));
@@ -64,11 +83,28 @@ impl Compiler {
     }
 }
 
+/// A pattern with a map of colours.
+fn colors(pattern: Pattern, map: Map<Color>) -> Kind {
+    let pattern = Box::new(pattern);
+    match map.tail().filter(|_| pattern.foresees()) {
+        Some((bound, &beyond)) if bound < 1.0 => Kind::Foreseen { pattern, map, bound, beyond },
+        _ => Kind::Colors { pattern, map },
+    }
+}
+
+#[inline]
+fn color_at(map: &Map<Color>, value: f64) -> Color {
+    match map.at(value) {
+        Blend::One(color) => color.copied().unwrap_or_default(),
+        Blend::Two(low, high, t) => low.lerp(*high, t),
+    }
+}
+
 impl Kind {
     fn is_opaque(&self) -> bool {
         match self {
             Kind::Solid(color) => lets_nothing_through(color),
-            Kind::Colors { map, .. } => map.items().all(lets_nothing_through),
+            Kind::Colors { map, .. } | Kind::Foreseen { map, .. } => map.items().all(lets_nothing_through),
             Kind::Pigments { map, .. } | Kind::Average { map, .. } => map.items().all(|p| p.opaque),
             Kind::Image { image, .. } => image.is_opaque(),
             Kind::Uv(inner) => inner.opaque,
@@ -93,12 +129,10 @@ impl Pigment {
     pub fn sample(&self, p: Vec3, context: &Context) -> (Color, bool) {
         match &self.kind {
             Kind::Solid(color) => (*color, true),
-            Kind::Colors { pattern, map } => {
-                let color = match map.at(pattern.eval(p, context)) {
-                    Blend::One(color) => color.copied().unwrap_or_default(),
-                    Blend::Two(low, high, t) => low.lerp(*high, t),
-                };
-                (color, true)
+            Kind::Colors { pattern, map } => (color_at(map, pattern.eval(p, context)), true),
+            Kind::Foreseen { pattern, map, bound, beyond } => {
+                let value = pattern.eval_unless_above(pattern.warp(p), *bound, context);
+                (value.map_or(*beyond, |value| color_at(map, value)), true)
             }
             Kind::Pigments { pattern, map } => {
                 let p = pattern.warp(p);
@@ -128,6 +162,14 @@ impl Pigment {
     /// Does no part of it ever let light through?
     pub fn is_opaque(&self) -> bool {
         self.opaque
+    }
+
+    /// Its colour, where that is the same everywhere.
+    pub fn even_color(&self) -> Option<Color> {
+        match &self.kind {
+            Kind::Solid(color) => Some(*color),
+            _ => None,
+        }
     }
 
     /// The colour for low quality.

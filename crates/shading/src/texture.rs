@@ -1,6 +1,7 @@
 //! Textures: layers, and choices between textures (textures spec, section 9). Lighting them is not done here.
 use std::sync::Arc;
 
+use raggio_image::Rgb;
 use raggio_math::Vec3;
 use raggio_scene::{self as scene, PatternKind, TextureKind};
 
@@ -95,6 +96,12 @@ impl Texture {
         let mut compiler = Compiler::new(noise);
         let compiled = textures.map(|texture| compiler.shared_texture(texture)).collect();
         (compiled, compiler.asks_uv)
+    }
+
+    /// The light that it lets through, where that is the same everywhere.
+    pub fn even_transmission(&self) -> Option<Rgb> {
+        let Texture::Layers(layers) = self else { return None };
+        layers.iter().map(|layer| Some(layer.pigment.even_color()?.transmission())).product()
     }
 
     /// Does every part of it stop all light?

@@ -169,6 +169,11 @@ impl Surface for Bicubic {
         self.parts.bounds()
     }
 
+    fn reach(&self, along: Vec3) -> Option<f64> {
+        let corners = self.triangles.iter().flat_map(|t| t.points);
+        Some(corners.map(|p| p.dot(along)).fold(f64::NEG_INFINITY, f64::max))
+    }
+
     fn inside(&self, _p: Vec3) -> bool {
         false
     }

@@ -98,6 +98,21 @@ impl Element {
         }
     }
 
+    /// How far it reaches along a vector.
+    fn reach(&self, along: Vec3) -> f64 {
+        match &self.form {
+            Form::Ball { centre, per_radius2 } => {
+                centre.dot(along) + along.length() * per_radius2.sqrt().recip()
+            }
+            Form::Placed { unit_from_blob, .. } if !unit_from_blob.is_finite() => f64::NEG_INFINITY,
+            Form::Placed { unit_from_blob, length } => {
+                let blob_from_unit = unit_from_blob.inverse();
+                let in_unit = blob_from_unit.matrix3.transpose() * along;
+                blob_from_unit.translation.dot(along) + in_unit.length() + (length * in_unit.z).max(0.0)
+            }
+        }
+    }
+
     /// `u = 1 - d^2`, where d is the distance from the component's centre or axis in radii; and minus half its gradient.
     #[inline]
     fn field(&self, p: Vec3) -> (Vec3, f64) {
@@ -262,6 +277,10 @@ impl Surface for Blob {
 
     fn bounds(&self) -> Aabb {
         self.parts.bounds()
+    }
+
+    fn reach(&self, along: Vec3) -> Option<f64> {
+        Some(self.elements.iter().map(|e| e.reach(along)).fold(f64::NEG_INFINITY, f64::max))
     }
 
     fn inside(&self, p: Vec3) -> bool {

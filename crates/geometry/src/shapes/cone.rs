@@ -167,6 +167,13 @@ impl Surface for Cone {
         ring(self.base, self.base_radius).union(&ring(cap, self.cap_radius))
     }
 
+    fn reach(&self, along: Vec3) -> Option<f64> {
+        let across = (along - self.axis * self.axis.dot(along)).length();
+        let base = self.base.dot(along) + self.base_radius.abs() * across;
+        let cap = (self.base + self.axis * self.length).dot(along) + self.cap_radius.abs() * across;
+        Some(base.max(cap))
+    }
+
     fn hits(&self, ray: &Ray, range: (f64, f64), out: &mut Vec<LocalHit>) {
         let mut few = Few::default();
         self.few(ray, range, &mut few);

@@ -28,6 +28,11 @@ impl Surface for Disc {
         Aabb { min: self.center - e, max: self.center + e }
     }
 
+    fn reach(&self, along: Vec3) -> Option<f64> {
+        let within = along - self.normal * self.normal.dot(along);
+        Some(self.center.dot(along) + self.radius.abs() * within.length())
+    }
+
     fn inside_bounds(&self) -> Aabb {
         Aabb::INFINITE
     }

@@ -7,6 +7,8 @@ use std::ops::{Add, Mul, Sub};
 use raggio_math::{Vec3, Vec4};
 use raggio_scene::JuliaFunction;
 
+use super::julia::proved::Proof;
+
 /// A complex number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Complex {
@@ -196,6 +198,19 @@ impl Map {
         }
     }
 
+    /// Do the orbits of all pairs in two balls (middles and radii) escape, or none? Nothing is proved of functions.
+    pub(crate) fn proof(self, ball: (Hypercomplex, [f64; 2]), c: Hypercomplex, limits: (u32, f64)) -> Proof {
+        match self {
+            Map::Square => proof(ball, c, limits, square, |n, r| r * (2.0 * n + r)),
+            // No bound at all where the ball holds zero.
+            Map::Reciprocal => {
+                let spread = |n: f64, r: f64| if r < n { r / (n * (n - r)) } else { f64::INFINITY };
+                proof(ball, c, limits, Complex::inverse, spread)
+            }
+            Map::Function(_) => Proof::Open,
+        }
+    }
+
     /// The orbit, if it escapes. Of maps that cost next to nothing the product is made when that is known, by a second
     /// run, for most points escape at once or never.
     #[inline(always)]
@@ -285,6 +300,29 @@ fn last_size(
         q = q.each(&map).with(c, |a, b| a + b);
     }
     (steps, size2)
+}
+
+/// [`Map::proof`] of a map with what it makes of a radius around a number of some size.
+fn proof(
+    (mut q, mut radii): (Hypercomplex, [f64; 2]),
+    c: Hypercomplex,
+    (steps, escape): (u32, f64),
+    map: impl Fn(Complex) -> Complex,
+    spread: impl Fn(f64, f64) -> f64,
+) -> Proof {
+    let mut none = true;
+    for _ in 0..steps {
+        let sizes = [q.0.re.hypot(q.0.im), q.1.re.hypot(q.1.im)];
+        let size2 =
+            |at: fn(f64, f64) -> f64| 0.5 * (at(sizes[0], radii[0]).powi(2) + at(sizes[1], radii[1]).powi(2));
+        if size2(|n, r| (n - r).max(0.0)) > escape {
+            return Proof::Outside;
+        }
+        none &= size2(|n, r| n + r) < escape;
+        radii = [spread(sizes[0], radii[0]), spread(sizes[1], radii[1])];
+        q = q.each(&map).with(c, |a, b| a + b);
+    }
+    if none { Proof::Inside } else { Proof::Open }
 }
 
 fn value(function: JuliaFunction, x: Complex) -> Complex {

@@ -7,7 +7,7 @@ use raggio_scene::{Curve2, CurveKind};
 use super::collect::{Collect, searched_from};
 use super::outline::{Outline, point, slope};
 use super::plane_tree::{Line, PlaneTree};
-use super::revolve::{Sweep, barrel_bounds, clip_to_barrel, radius_squared};
+use super::revolve::{Sweep, barrel_bounds, circle_reach, clip_to_barrel, radius_squared};
 use super::turn;
 use crate::{LocalHit, Surface};
 
@@ -63,11 +63,15 @@ impl Span {
         })
     }
 
-    /// A box around its control points and ends.
-    fn bounds(&self) -> (Vec2, Vec2) {
+    /// Control points and ends.
+    fn points(&self) -> [Vec2; 6] {
         let Curve2 { a, b, c, d, .. } = self.curve;
-        let points = [d, d + c / 3.0, d + (c * 2.0 + b) / 3.0, d + c + b + a, self.ends[0], self.ends[1]];
-        let corner = |pick: fn(Vec2, Vec2) -> Vec2| points.into_iter().fold(d, pick);
+        [d, d + c / 3.0, d + (c * 2.0 + b) / 3.0, d + c + b + a, self.ends[0], self.ends[1]]
+    }
+
+    /// A box around its points.
+    fn bounds(&self) -> (Vec2, Vec2) {
+        let corner = |pick: fn(Vec2, Vec2) -> Vec2| self.points().into_iter().fold(self.curve.d, pick);
         (corner(Vec2::min), corner(Vec2::max))
     }
 
@@ -201,6 +205,11 @@ impl Surface for Lathe {
         }
         let (heights, radius) = self.barrel();
         barrel_bounds(heights, radius)
+    }
+
+    fn reach(&self, along: Vec3) -> Option<f64> {
+        let points = self.spans.iter().flat_map(Span::points);
+        Some(points.map(|p| circle_reach(p.y, p.x, along)).fold(f64::NEG_INFINITY, f64::max))
     }
 
     fn inside(&self, p: Vec3) -> bool {

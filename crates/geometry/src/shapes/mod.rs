@@ -66,6 +66,9 @@ macro_rules! shape_kinds {
             fn bounds(&self) -> Aabb {
                 match self { $(ShapeKind::$kind(s) => s.bounds(),)* }
             }
+            fn reach(&self, along: Vec3) -> Option<f64> {
+                match self { $(ShapeKind::$kind(s) => s.reach(along),)* }
+            }
             fn inside_bounds(&self) -> Aabb {
                 match self { $(ShapeKind::$kind(s) => s.inside_bounds(),)* }
             }

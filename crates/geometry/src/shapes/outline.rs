@@ -96,6 +96,12 @@ impl Outline {
         (self.min, self.max)
     }
 
+    /// How far its control points reach along a vector.
+    pub(crate) fn reach(&self, along: Vec2) -> f64 {
+        let points = self.pieces.iter().flat_map(|p| p.points);
+        points.map(|p| p.dot(along)).fold(f64::NEG_INFINITY, f64::max)
+    }
+
     /// The pieces: curve and control points.
     pub(crate) fn pieces(&self) -> impl ExactSizeIterator<Item = (&Curve2, &[Vec2; 4])> {
         self.pieces.iter().map(|p| (&p.curve, &p.points))

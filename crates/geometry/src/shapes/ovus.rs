@@ -56,6 +56,11 @@ impl Ovus {
         Ovus { bottom, top, join: Join::new(bottom, top).unwrap_or(everything) }
     }
 
+    fn heights(&self) -> (f64, f64) {
+        let low = if self.join.from.is_finite() { -self.bottom } else { self.bottom - self.top };
+        (low, self.bottom + self.top)
+    }
+
     fn search(&self, ray: &Ray, to: &mut impl Collect) {
         let Join { from, to: end, .. } = self.join;
         self.search_ball(ray, (BOTTOM, 0.0, self.bottom), (f64::NEG_INFINITY, from), to);
@@ -109,8 +114,17 @@ impl Surface for Ovus {
 
     fn bounds(&self) -> Aabb {
         let reach = (self.join.radius - self.join.inset).max(self.bottom.max(self.top));
-        let low = if self.join.from.is_finite() { -self.bottom } else { self.bottom - self.top };
-        barrel_bounds((low, self.bottom + self.top), reach)
+        barrel_bounds(self.heights(), reach)
+    }
+
+    fn reach(&self, along: Vec3) -> Option<f64> {
+        let j = &self.join;
+        let (level, length) = (along.x.hypot(along.z), along.length());
+        let ball = |height: f64, radius: f64| height * along.y + radius * length;
+        let joined = ball(j.height, j.radius) - j.inset * level;
+        let (bounds, (low, high)) = (self.bounds(), self.heights());
+        let barrel = bounds.max.x * level + (low * along.y).max(high * along.y);
+        Some(barrel.min(joined.max(ball(0.0, self.bottom)).max(ball(self.bottom, self.top))))
     }
 
     fn inside(&self, p: Vec3) -> bool {

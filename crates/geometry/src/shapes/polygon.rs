@@ -83,6 +83,12 @@ impl Surface for Polygon {
         self.bounds
     }
 
+    fn reach(&self, along: Vec3) -> Option<f64> {
+        let flat = Vec2::new(self.x.dot(along), self.y.dot(along));
+        let corners = self.edges.iter().map(|(a, _)| a.dot(flat));
+        Some(self.origin.dot(along) + corners.fold(f64::NEG_INFINITY, f64::max))
+    }
+
     fn hits(&self, ray: &Ray, range: (f64, f64), out: &mut Vec<LocalHit>) {
         out.extend(self.closest(ray, range));
     }

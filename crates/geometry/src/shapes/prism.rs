@@ -123,6 +123,14 @@ impl Surface for Prism {
         self.bounds
     }
 
+    fn reach(&self, along: Vec3) -> Option<f64> {
+        let section = |h: f64| {
+            let k = if self.conic { h } else { 1.0 };
+            self.outline.reach(Vec2::new(along.x, along.z) * k) + h * along.y
+        };
+        Some(section(self.heights.0).max(section(self.heights.1)))
+    }
+
     fn inside(&self, p: Vec3) -> bool {
         self.heights.0 <= p.y && p.y < self.heights.1 && self.section_contains(p, p.y)
     }

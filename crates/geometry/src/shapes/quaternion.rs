@@ -1,6 +1,8 @@
 //! Orbits of quaternions under squares and cubes, for Julia fractals.
 use raggio_math::{Vec3, Vec4};
 
+use super::julia::proved::Proof;
+
 /// What the map does before it adds the parameter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Power {
@@ -21,6 +23,7 @@ impl Power {
     }
 
     /// The change of the power of `q` where `q` changes by `dq`.
+    #[inline(always)]
     fn change(self, q: Vec4, dq: Vec4) -> Vec4 {
         let imaginary = q.y * q.y + q.z * q.z + q.w * q.w;
         let d_imaginary = 2.0 * (q.y * dq.y + q.z * dq.z + q.w * dq.w);
@@ -34,6 +37,14 @@ impl Power {
         };
         let part = |v: f64, dv: f64| factor * dv + d_factor * v;
         Vec4::new(real, part(q.y, dq.y), part(q.z, dq.z), part(q.w, dq.w))
+    }
+
+    /// By how much at most the powers of numbers differ from that of one of size `n`, where the numbers differ by `r`.
+    fn spread(self, n: f64, r: f64) -> f64 {
+        match self {
+            Power::Square => r * (2.0 * n + r),
+            Power::Cube => r * (3.0 * n * (n + r) + r * r),
+        }
     }
 
     fn degree(self) -> f64 {
@@ -86,13 +97,34 @@ fn escape_of(
     None
 }
 
+/// Do the orbits of all numbers in a ball (middle and radius) escape, or none?
+pub(crate) fn proof(
+    power: Power,
+    (mut q, mut radius): (Vec4, f64),
+    c: Vec4,
+    (steps, escape): (u32, f64),
+) -> Proof {
+    let limit = escape.sqrt();
+    let mut none = true;
+    for _ in 0..steps {
+        let size = q.length();
+        if size - radius > limit {
+            return Proof::Outside;
+        }
+        none &= size + radius < limit;
+        radius = power.spread(size, radius);
+        q = power.of(q) + c;
+    }
+    if none { Proof::Inside } else { Proof::Open }
+}
+
 /// Half the gradient in x, y and z of the squared size after `steps` steps. The fourth coordinate is held fast, as in
 /// POV-Ray, though the slice makes it depend on the other three.
 pub(crate) fn gradient(power: Power, mut q: Vec4, c: Vec4, steps: u32) -> Vec3 {
-    let mut changes = [Vec4::X, Vec4::Y, Vec4::Z];
+    let [mut x, mut y, mut z] = [Vec4::X, Vec4::Y, Vec4::Z];
     for _ in 0..steps {
-        changes = changes.map(|dq| power.change(q, dq));
+        (x, y, z) = (power.change(q, x), power.change(q, y), power.change(q, z));
         q = power.of(q) + c;
     }
-    Vec3::from_array(changes.map(|dq| q.dot(dq)))
+    Vec3::new(q.dot(x), q.dot(y), q.dot(z))
 }

@@ -44,6 +44,11 @@ pub(crate) fn barrel_bounds(y_range: (f64, f64), radius: f64) -> Aabb {
     Aabb::new(Vec3::new(-radius, y_range.0, -radius), Vec3::new(radius, y_range.1, radius))
 }
 
+/// How far a circle about the axis reaches along a vector.
+pub(crate) fn circle_reach(height: f64, radius: f64, along: Vec3) -> f64 {
+    height * along.y + radius.abs() * along.x.hypot(along.z)
+}
+
 /// What is asked of a ray at every box of radius and height.
 pub(crate) struct Sweep {
     oy: f64,

@@ -6,7 +6,7 @@ use raggio_math::{Aabb, EPS, Ray, Vec2, Vec3, poly};
 
 use super::collect::{Collect, searched_from};
 use super::plane_tree::PlaneTree;
-use super::revolve::{Sweep, barrel_bounds, clip_to_barrel, radius_squared};
+use super::revolve::{Sweep, barrel_bounds, circle_reach, clip_to_barrel, radius_squared};
 use super::turn;
 use crate::{LocalHit, Surface};
 
@@ -153,6 +153,12 @@ impl Surface for Sor {
         }
         let (heights, reach) = self.barrel();
         barrel_bounds(heights, reach)
+    }
+
+    fn reach(&self, along: Vec3) -> Option<f64> {
+        let circle = |s: &Segment, y: f64| circle_reach(y, s.reach, along);
+        let reaches = self.segments.iter().map(|s| circle(s, s.base).max(circle(s, s.top)));
+        Some(reaches.fold(f64::NEG_INFINITY, f64::max))
     }
 
     fn inside(&self, p: Vec3) -> bool {

@@ -75,6 +75,10 @@ impl Surface for Sphere {
         Aabb { min: self.center, max: self.center }.grown(self.radius.abs())
     }
 
+    fn reach(&self, along: Vec3) -> Option<f64> {
+        Some(self.center.dot(along) + self.radius.abs() * along.length())
+    }
+
     fn hits(&self, ray: &Ray, range: (f64, f64), out: &mut Vec<LocalHit>) {
         let mut few = Few::default();
         self.few(ray, range, &mut few);

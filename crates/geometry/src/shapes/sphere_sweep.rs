@@ -60,17 +60,19 @@ impl Segment {
         self.centre.iter().rev().fold(Vec3::ZERO, |sum, &c| sum * s + c)
     }
 
-    /// The box around the spheres at the Bezier control points, which holds all spheres.
-    fn bounds(&self) -> Aabb {
+    /// The spheres at the Bezier control points, whose hull holds all spheres.
+    fn hull(&self) -> [(Vec3, f64); 4] {
         let control = |c: [f64; 4]| {
             [c[0], c[0] + c[1] / 3.0, c[0] + (2.0 * c[1] + c[2]) / 3.0, c[0] + c[1] + c[2] + c[3]]
         };
         let axes = [0, 1, 2].map(|axis| control(self.centre.map(|c| c[axis])));
         let radii = control(self.radius);
-        (0..4).fold(Aabb::EMPTY, |sum, k| {
-            let at = Vec3::new(axes[0][k], axes[1][k], axes[2][k]);
-            sum.union(&Aabb { min: at, max: at }.grown(radii[k].abs()))
-        })
+        std::array::from_fn(|k| (Vec3::new(axes[0][k], axes[1][k], axes[2][k]), radii[k].abs()))
+    }
+
+    fn bounds(&self) -> Aabb {
+        let around = |(at, radius): (Vec3, f64)| Aabb { min: at, max: at }.grown(radius);
+        self.hull().into_iter().fold(Aabb::EMPTY, |sum, ball| sum.union(&around(ball)))
     }
 
     fn stretches(&self, ray: &Ray, index: u32, out: &mut Stretches) {
@@ -223,6 +225,12 @@ impl Surface for SphereSweep {
 
     fn bounds(&self) -> Aabb {
         self.parts.bounds()
+    }
+
+    fn reach(&self, along: Vec3) -> Option<f64> {
+        let balls = self.segments.iter().flat_map(Segment::hull);
+        let reaches = balls.map(|(at, radius)| at.dot(along) + radius * along.length());
+        Some(reaches.fold(f64::NEG_INFINITY, f64::max))
     }
 
     /// As the language has it: inside is where the point lies on a sphere of some segment. A point within all spheres of

@@ -271,6 +271,18 @@ impl Surface for Superellipsoid {
         Aabb::new(Vec3::splat(-REACH), Vec3::splat(REACH))
     }
 
+    /// The norm that is dual to `f + 1`; the hull of a star is the double pyramid.
+    fn reach(&self, along: Vec3) -> Option<f64> {
+        let dual = |k: f64| match k {
+            f64::INFINITY => 1.0,
+            k if k > 1.0 => k / (k - 1.0),
+            _ => f64::INFINITY,
+        };
+        let of = |a, b, k: Exponent| g(a, b, Exponent::new(dual(k.value))).0;
+        let v = along.abs();
+        Some(of(of(v.x, v.y, self.k), v.z, self.m))
+    }
+
     fn inside(&self, p: Vec3) -> bool {
         self.value(p) < EPS
     }

@@ -2,7 +2,7 @@
 use raggio_math::{Aabb, Ray, Vec2, Vec3, poly};
 
 use super::collect::{Collect, searched_from};
-use super::revolve::clip_to_barrel;
+use super::revolve::{circle_reach, clip_to_barrel};
 use crate::{LocalHit, Surface};
 
 const LEAST: f64 = 1e-4;
@@ -66,6 +66,10 @@ impl Surface for Torus {
         let outer = self.major.abs() + self.minor;
         let corner = Vec3::new(outer, self.minor, outer);
         Aabb::new(-corner, corner)
+    }
+
+    fn reach(&self, along: Vec3) -> Option<f64> {
+        Some(circle_reach(0.0, self.major, along) + self.minor * along.length())
     }
 
     fn inside(&self, p: Vec3) -> bool {

@@ -1,18 +1,25 @@
 //! Anti-aliasing: more samples where neighbours differ (light spec, section 2).
+mod first;
 mod nonrecursive;
 mod recursive;
 
 use raggio_image::Curve;
 use raggio_scene::GammaMode;
 
+pub use first::{First, Patch};
 pub use nonrecursive::NonRecursive;
 pub use recursive::Recursive;
 
 use crate::film::Pixel;
 use crate::sampling::jitter2d;
 
-/// Takes a sample of the picture at a place.
-pub type Shoot<'a> = dyn FnMut(f64, f64) -> Pixel + 'a;
+/// Takes samples of the picture.
+pub trait Shoot {
+    /// At a place of the lattice of which every pixel has a sample.
+    fn first(&mut self, x: f64, y: f64) -> Viewed;
+    /// Anywhere.
+    fn more(&mut self, x: f64, y: f64) -> Pixel;
+}
 
 /// Decides whether two colours differ too much.
 #[derive(Clone, Copy, Debug)]
@@ -34,29 +41,63 @@ impl Difference {
         Difference { srgb, exponent, threshold }
     }
 
-    /// Do they?
-    pub fn between(&self, a: &Pixel, b: &Pixel) -> bool {
-        if a == b {
-            return self.threshold <= 0.0;
-        }
+    /// A pixel with what a display makes of it, which is worth keeping: powers are slow.
+    pub fn view(&self, pixel: Pixel) -> Viewed {
         let seen = |v: f32| {
             let light = if self.srgb { Curve::Srgb.decode(v) } else { v };
             light.max(0.0).powf(self.exponent)
         };
-        let colors: f32 = (0..3).map(|i| (seen(a[i]) - seen(b[i])).abs()).sum();
-        colors + (a[3] - b[3]).abs() >= self.threshold
+        Viewed { pixel, seen: [seen(pixel[0]), seen(pixel[1]), seen(pixel[2])] }
+    }
+
+    /// Do they?
+    pub fn between(&self, a: &Viewed, b: &Viewed) -> bool {
+        if a.pixel == b.pixel {
+            return self.threshold <= 0.0;
+        }
+        let colors: f32 = (0..3).map(|i| (a.seen[i] - b.seen[i]).abs()).sum();
+        colors + (a.pixel[3] - b.pixel[3]).abs() >= self.threshold
     }
 }
 
+/// A pixel and how bright it looks.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Viewed {
+    /// Its colour and transmit.
+    pub pixel: Pixel,
+    seen: [f32; 3],
+}
+
 /// A sample moved by jitter of that amount.
-fn jittered(x: f64, y: f64, amount: f64, shoot: &mut Shoot<'_>) -> Pixel {
+fn jittered(x: f64, y: f64, amount: f64, shoot: &mut impl Shoot) -> Pixel {
     if amount == 0.0 {
-        return shoot(x, y);
+        return shoot.more(x, y);
     }
     let (jx, jy) = jitter2d(x, y);
-    shoot(x + jx * amount, y + jy * amount)
+    shoot.more(x + jx * amount, y + jy * amount)
 }
 
 fn add(sum: &mut Pixel, pixel: Pixel) {
     sum.iter_mut().zip(pixel).for_each(|(sum, value)| *sum += value);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Samples of a function, all of them taken when they are asked for.
+    pub struct Asked<F>(pub Difference, pub F);
+
+    impl<F: FnMut(f64, f64) -> Pixel> Shoot for Asked<F> {
+        fn first(&mut self, x: f64, y: f64) -> Viewed {
+            self.0.view((self.1)(x, y))
+        }
+        fn more(&mut self, x: f64, y: f64) -> Pixel {
+            (self.1)(x, y)
+        }
+    }
+
+    pub fn plain_difference() -> Difference {
+        Difference::new(GammaMode::Working(Curve::Linear), 2.5, 0.3)
+    }
 }

@@ -1,5 +1,5 @@
 //! Method 2: squares whose corners differ are quartered (light spec, section 2.3).
-use super::{Difference, Shoot, add, jittered};
+use super::{Difference, Shoot, Viewed, add, jittered};
 use crate::film::{Pixel, Tile};
 
 /// The method with its options, and memory for the points of one pixel.
@@ -12,7 +12,7 @@ pub struct Recursive {
     /// Points along a side of a pixel at the finest level.
     side: usize,
     /// Points of the present pixel that are known, each with the number of the pixel that it was taken for.
-    known: Vec<(u32, Pixel)>,
+    known: Vec<(u32, Viewed)>,
     pixel: u32,
 }
 
@@ -34,18 +34,18 @@ impl Recursive {
             levels: depth - 1,
             jitter: jitter / (f64::from(1 << depth) + 1.0),
             side,
-            known: vec![(0, [0.0; 4]); side * side],
+            known: vec![(0, Viewed::default()); side * side],
             pixel: 0,
         }
     }
 
     /// All pixels of a tile.
-    pub fn tile(&mut self, tile: &Tile, shoot: &mut Shoot<'_>) -> Vec<Pixel> {
+    pub fn tile(&mut self, tile: &Tile, shoot: &mut impl Shoot) -> Vec<Pixel> {
         let columns = tile.x.len() + 1;
         let mut corners = Vec::with_capacity(columns * (tile.y.len() + 1));
         for y in tile.y.start..=tile.y.end {
             for x in tile.x.start..=tile.x.end {
-                corners.push(shoot(x as f64 - 0.5, y as f64 - 0.5));
+                corners.push(shoot.first(x as f64 - 0.5, y as f64 - 0.5));
             }
         }
         let mut pixels = Vec::with_capacity(tile.area());
@@ -59,7 +59,7 @@ impl Recursive {
         pixels
     }
 
-    fn pixel(&mut self, corners: [Pixel; 4], x: f64, y: f64, shoot: &mut Shoot<'_>) -> Pixel {
+    fn pixel(&mut self, corners: [Viewed; 4], x: f64, y: f64, shoot: &mut impl Shoot) -> Pixel {
         self.pixel += 1;
         let size = self.side - 1;
         let indices = [0, size, size * self.side, size * self.side + size];
@@ -67,18 +67,18 @@ impl Recursive {
             self.known[index] = (self.pixel, corner);
         }
         if size == 1 || self.levels == 0 {
-            return mean(&corners);
+            return mean(&corners.map(|corner| corner.pixel));
         }
         self.square(Square { i: 0, j: 0, size }, self.levels, (x, y), shoot)
     }
 
     /// The mean over a square.
-    fn square(&mut self, s: Square, level: u32, pixel: (f64, f64), shoot: &mut Shoot<'_>) -> Pixel {
+    fn square(&mut self, s: Square, level: u32, pixel: (f64, f64), shoot: &mut impl Shoot) -> Pixel {
         let places = [(s.i, s.j), (s.i + s.size, s.j), (s.i, s.j + s.size), (s.i + s.size, s.j + s.size)];
         let corners = places.map(|(i, j)| self.point(i, j, pixel, shoot));
         let differs = (0..4).any(|a| (0..a).any(|b| self.differs.between(&corners[a], &corners[b])));
         if level == 0 || !differs {
-            return mean(&corners);
+            return mean(&corners.map(|corner| corner.pixel));
         }
         let half = s.size / 2;
         let quarters = [(0, 0), (half, 0), (0, half), (half, half)];
@@ -89,12 +89,12 @@ impl Recursive {
     }
 
     /// A point of the present pixel, shot at most once.
-    fn point(&mut self, i: usize, j: usize, (x, y): (f64, f64), shoot: &mut Shoot<'_>) -> Pixel {
+    fn point(&mut self, i: usize, j: usize, (x, y): (f64, f64), shoot: &mut impl Shoot) -> Viewed {
         let index = j * self.side + i;
         if self.known[index].0 != self.pixel {
             let place = |k: usize| k as f64 / (self.side - 1) as f64 - 0.5;
             let value = jittered(x + place(i), y + place(j), self.jitter, shoot);
-            self.known[index] = (self.pixel, value);
+            self.known[index] = (self.pixel, self.differs.view(value));
         }
         self.known[index].1
     }
@@ -108,19 +108,19 @@ fn mean(parts: &[Pixel; 4]) -> Pixel {
 
 #[cfg(test)]
 mod tests {
+    use super::super::tests::{Asked, plain_difference};
     use super::*;
-    use raggio_image::Curve;
-    use raggio_scene::GammaMode;
 
     fn rendered(depth: u32, edge: f64) -> (Vec<Pixel>, usize) {
         let mut count = 0;
-        let differs = Difference::new(GammaMode::Working(Curve::Linear), 2.5, 0.3);
-        let mut shoot = |x: f64, _: f64| {
+        let differs = plain_difference();
+        let shoot = |x: f64, _: f64| {
             count += 1;
             let v = if x > edge { 1.0 } else { 0.0 };
             [v, v, v, 0.0]
         };
-        let pixels = Recursive::new(differs, depth, 0.0).tile(&Tile { x: 0..2, y: 0..1 }, &mut shoot);
+        let pixels =
+            Recursive::new(differs, depth, 0.0).tile(&Tile { x: 0..2, y: 0..1 }, &mut Asked(differs, shoot));
         (pixels, count)
     }
 

@@ -7,10 +7,16 @@ use std::sync::OnceLock;
 use raggio_geometry::{Geometry, RayClass, Shaft, Standing};
 use raggio_math::Vec3;
 
-/// Cells along the edge of a face at each level; the next is asked where a cell holds too much.
-const SIDES: [usize; 3] = [8, 32, 128];
+/// Cells along the edge of a face at the first level.
+const FIRST: usize = 8;
+/// Levels; the next is asked where a cell holds too much.
+const LEVELS: usize = 3;
+/// A cell has so many columns of children, and as many rows, as a power of two.
+const BRANCHING: usize = 2;
 /// Children of a cell.
-const CHILDREN: usize = 16;
+const CHILDREN: usize = 1 << (2 * BRANCHING);
+/// Cells along the edge of a face at the last level.
+const FINEST: usize = FIRST << (BRANCHING * (LEVELS - 1));
 /// Cells are this much larger than their share, for rounding.
 const MARGIN: f64 = 1e-6;
 /// Where cells begin and end, in distances along the axis of a face. Nothing nearer than the shadow tolerance, which
@@ -31,67 +37,75 @@ struct Cell {
     children: Option<Box<[OnceLock<Cell>; CHILDREN]>>,
 }
 
-/// A direction as a place on a cube.
+/// A direction as a cell of the last level.
+#[derive(Clone, Copy)]
 struct Place {
     face: usize,
-    /// From 0 to 1 over the face.
-    u: f64,
-    v: f64,
+    column: usize,
+    row: usize,
 }
 
 impl Place {
     #[inline]
-    fn new(direction: Vec3) -> Self {
-        let size = direction.abs();
-        let axis = if size.x >= size.y && size.x >= size.z {
-            0
-        } else if size.y >= size.z {
-            1
+    fn new(d: Vec3) -> Self {
+        const HALF: f64 = FINEST as f64 / 2.0;
+        let (x, y, z) = (d.x.abs(), d.y.abs(), d.z.abs());
+        let (face, size, u, v) = if x >= y && x >= z {
+            (usize::from(d.x < 0.0), x, d.y, d.z)
+        } else if y >= z {
+            (2 + usize::from(d.y < 0.0), y, d.z, d.x)
         } else {
-            2
+            (4 + usize::from(d.z < 0.0), z, d.x, d.y)
         };
-        let scale = 0.5 / size[axis];
-        Place {
-            face: 2 * axis + usize::from(direction[axis] < 0.0),
-            u: direction[(axis + 1) % 3] * scale + 0.5,
-            v: direction[(axis + 2) % 3] * scale + 0.5,
-        }
+        let scale = HALF / size;
+        // What is not a number ends in the first cell.
+        let cell = |w: f64| ((w * scale + HALF) as u32 as usize).min(FINEST - 1);
+        Place { face, column: cell(u), row: cell(v) }
     }
 
-    /// The column and row at a level. What is not a number ends in the first cell.
+    /// The column and row at a level.
     #[inline]
-    fn cell(&self, side: usize) -> (usize, usize) {
-        let at = |x: f64| ((x * side as f64) as usize).min(side - 1);
-        (at(self.u), at(self.v))
+    fn at(self, level: usize) -> (usize, usize) {
+        let shift = BRANCHING * (LEVELS - 1 - level);
+        (self.column >> shift, self.row >> shift)
+    }
+
+    /// Which child it lies in of a cell of the level before.
+    #[inline]
+    fn child(self, level: usize) -> usize {
+        const MASK: usize = (1 << BRANCHING) - 1;
+        let (column, row) = self.at(level);
+        (row & MASK) << BRANCHING | (column & MASK)
     }
 }
 
 impl LightBuffer {
     /// An empty buffer around a light.
     pub fn new(light: Vec3) -> Self {
-        LightBuffer { light, cells: (0..6 * SIDES[0] * SIDES[0]).map(|_| OnceLock::new()).collect() }
+        LightBuffer { light, cells: (0..6 * FIRST * FIRST).map(|_| OnceLock::new()).collect() }
     }
 
     /// What may stand between the light and points in a direction from it.
     pub fn towards(&self, direction: Vec3, geometry: &Geometry) -> &Standing {
         let place = Place::new(direction);
-        let (u, v) = place.cell(SIDES[0]);
-        let first = &self.cells[(place.face * SIDES[0] + v) * SIDES[0] + u];
-        let mut cell = first.get_or_init(|| self.fill(&place, 0, geometry));
-        for (level, &side) in SIDES.iter().enumerate().skip(1) {
+        let (column, row) = place.at(0);
+        let first = &self.cells[(place.face * FIRST + row) * FIRST + column];
+        let mut cell = first.get_or_init(|| self.fill(place, 0, geometry));
+        for level in 1..LEVELS {
             let Some(children) = &cell.children else { break };
-            let (u, v) = place.cell(side);
-            cell = children[v % 4 * 4 + u % 4].get_or_init(|| self.fill(&place, level, geometry));
+            cell = children[place.child(level)].get_or_init(|| self.fill(place, level, geometry));
         }
         &cell.standing
     }
 
-    fn fill(&self, place: &Place, level: usize, geometry: &Geometry) -> Cell {
-        let (u, v) = place.cell(SIDES[level]);
-        let at = |distance: f64| corners(self.light, (place.face, u, v), SIDES[level], distance);
+    #[cold]
+    fn fill(&self, place: Place, level: usize, geometry: &Geometry) -> Cell {
+        let (column, row) = place.at(level);
+        let side = FIRST << (BRANCHING * level);
+        let at = |distance: f64| corners(self.light, (place.face, column, row), side, distance);
         let shaft = Shaft::between(self.light, at(RANGE.0), at(RANGE.1));
         let standing = geometry.standing_in(&shaft, RayClass::Shadow);
-        let split = level + 1 < SIDES.len() && !standing.is_little();
+        let split = level + 1 < LEVELS && !standing.is_little();
         let children = split.then(|| Box::new(std::array::from_fn(|_| OnceLock::new())));
         Cell { standing, children }
     }

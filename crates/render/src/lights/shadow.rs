@@ -1,5 +1,5 @@
 //! Shadow rays: what reaches a surface point of a light (light spec, section 5.4).
-use raggio_geometry::{Hit, Interaction, RayClass, Shaft, Standing};
+use raggio_geometry::{Hit, RayClass, Shaft, Standing};
 use raggio_image::Rgb;
 use raggio_math::{Ray, Vec3};
 use raggio_shading::{Context, Layer};
@@ -108,11 +108,15 @@ impl Tracer<'_> {
                 self.blockers[source.index] = guess;
                 return Rgb::ZERO;
             }
-            let surface = world.geometry.interaction(&ray, &hit);
             let inside = list.get_or_insert_with(|| copied(interiors));
-            light *= self.filter(&ray, hit.t, &surface, inside);
+            let material = &world.geometry.materials[world.geometry.material_at(&hit).0 as usize];
+            light *= world.even_tint(&hit).unwrap_or_else(|| self.filter(&ray, &hit));
             if light == Rgb::ZERO {
                 return light;
+            }
+            let interior = &world.interior(material.interior).interior;
+            if interior.fade_power > 0.0 && inside.contains(&material.interior) {
+                light *= fade(interior, hit.t);
             }
             if hazy && !inside.is_empty() {
                 light *= self.media_filter(inside, &ray, hit.t);
@@ -120,8 +124,8 @@ impl Tracer<'_> {
             if misty && world.all_hollow(inside) {
                 light *= self.air_filter(source, &ray, hit.t);
             }
-            toggle(inside, world.material(&surface).interior);
-            ray.origin = surface.p;
+            toggle(inside, material.interior);
+            ray.origin = ray.at(hit.t);
             left -= hit.t;
         }
         let open = || world.all_hollow(list.as_ref().unwrap_or(interiors));
@@ -131,14 +135,14 @@ impl Tracer<'_> {
         light
     }
 
-    /// What a surface lets through of light (all layers of all its textures), with the fading of the way before it.
-    fn filter(&self, ray: &Ray, depth: f64, surface: &Interaction, list: &Interiors) -> Rgb {
-        let material = self.world.material(surface);
+    /// What a surface lets through of light: all layers of all its textures.
+    fn filter(&self, ray: &Ray, hit: &Hit) -> Rgb {
+        let surface = self.world.geometry.interaction(ray, hit);
+        let material = self.world.material(&surface);
         let n = if surface.from_inside { -surface.n } else { surface.n };
         let context = Context { normal: Some(n), point: surface.p, ray_dir: ray.dir, uv: surface.uv };
         let uv = material.uv_mapping.then_some(surface.uv);
-        let interior = &self.world.interior(material.interior).interior;
-        let caustics = f64::from(interior.caustics) * 45.0;
+        let caustics = f64::from(self.world.interior(material.interior).interior.caustics) * 45.0;
         let mut sum = Rgb::ZERO;
         for used in &surface.textures {
             let texture = self.world.texture(used.texture);
@@ -153,9 +157,6 @@ impl Tracer<'_> {
                     sum += layers_filter(layers, p, n, path, &context, caustics) * share;
                 },
             );
-        }
-        if interior.fade_power > 0.0 && list.contains(&material.interior) && sum != Rgb::ZERO {
-            sum *= fade(interior, depth);
         }
         sum
     }

@@ -30,8 +30,8 @@ pub struct Medium {
     extinction: Rgb,
     scattering: Option<Scattering>,
     densities: Vec<(Pigment, Affine)>,
-    /// Is the density the same everywhere?
-    even: bool,
+    /// The density, where it is the same everywhere.
+    even: Option<Rgb>,
     /// Do photons count in it?
     collect: bool,
     sampling: Sampling,
@@ -85,12 +85,12 @@ impl Medium {
             })
             .collect();
         let scattered = media.scattering.map_or(Rgb::ZERO, |s| s.color * s.extinction);
-        let plain = |d: &Placed<scene::Density>| matches!(d.item.0.kind, PigmentKind::Solid(_));
+        let even = densities.iter().map(|(pigment, _)| Some(pigment.even_color()?.rgb)).product();
         Medium {
             emission: media.emission,
             extinction: media.absorption + scattered,
             scattering: media.scattering,
-            even: media.densities.iter().all(plain),
+            even,
             densities,
             collect: media.collect,
             sampling: Sampling::new(media),
@@ -104,8 +104,8 @@ impl Medium {
 
     /// The density at a point of the world.
     fn density(&self, p: Vec3, ray_dir: Vec3) -> Rgb {
-        if self.densities.is_empty() {
-            return Rgb::ONE;
+        if let Some(density) = self.even {
+            return density;
         }
         let context = Context { ray_dir, ..Context::NONE };
         let at = |(pigment, density_from_world): &(Pigment, Affine)| {
@@ -224,14 +224,15 @@ impl Tracer<'_> {
 
     /// What media leave of light over a segment.
     pub fn dimmed_by(&mut self, lists: &[&MediaList], ray: &Ray, depth: f64) -> Rgb {
-        let media: Joined<'_> = lists.iter().flat_map(|list| &list.media).collect();
+        let all = || lists.iter().flat_map(|list| &list.media);
+        let even: Option<Rgb> = all().map(|m| Some(m.even? * m.extinction)).sum();
+        if let Some(sum) = even {
+            return exp(-sum * depth as f32);
+        }
+        let media: Joined<'_> = all().collect();
         let Some(leader) = leader(&media) else { return Rgb::ONE };
         if media.iter().all(|m| m.extinction == Rgb::ZERO) {
             return Rgb::ONE;
-        }
-        if media.iter().all(|m| m.even) {
-            let sum: Rgb = media.iter().map(|m| m.extinction * m.density(ray.origin, ray.dir)).sum();
-            return exp(-sum * depth as f32);
         }
         let whole: Range = (0.0, depth);
         let outside = Interiors::new();

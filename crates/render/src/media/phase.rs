@@ -11,7 +11,8 @@ pub fn phase(scattering: &Scattering, cosine: f64) -> f64 {
         4 => 0.799_372_013 * (1.0 + cosine * cosine),
         5 => {
             let g = f64::from(scattering.eccentricity);
-            (1.0 - g * g) / (1.0 + g * g - 2.0 * g * cosine).powf(1.5)
+            let square = 1.0 + g * g - 2.0 * g * cosine;
+            (1.0 - g * g) / (square * square.sqrt())
         }
         _ => 1.0,
     }

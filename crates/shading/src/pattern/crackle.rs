@@ -4,6 +4,7 @@ use raggio_math::turns::floors;
 use raggio_math::{EPS, Vec3};
 use raggio_scene as scene;
 
+use super::known::difference_unless_above;
 use super::scatter::{Around, Each, least, point_in};
 
 /// A compiled `crackle`.
@@ -244,12 +245,28 @@ impl Crackle {
         if self.solid {
             return noise(self.noise, nearest_feature(p, self.metric));
         }
-        let mut powers = Nearest::<3>::search(p, self.metric).powers;
-        if self.offset != 0.0 {
-            powers = powers.map(|power| power + self.metric.term(self.offset));
-        }
-        let distance = |k: usize| if self.form[k] == 0.0 { 0.0 } else { self.metric.root(powers[k]) };
+        let powers = match self.form.z {
+            0.0 => {
+                let [first, second] = Nearest::<2>::search(p, self.metric).powers;
+                [first, second, 0.0]
+            }
+            _ => Nearest::<3>::search(p, self.metric).powers,
+        };
+        let moved = if self.offset == 0.0 { 0.0 } else { self.metric.term(self.offset) };
+        let distance = |k: usize| if self.form[k] == 0.0 { 0.0 } else { self.metric.root(powers[k] + moved) };
         self.form.dot(Vec3::new(distance(0), distance(1), distance(2))).clamp(0.0, 1.0)
+    }
+
+    /// Is it the difference of the distances to the two nearest points, as it is where a scene says nothing?
+    pub fn is_usual(&self) -> bool {
+        let plain = matches!(self.metric, Metric::Euclid) && self.offset == 0.0;
+        plain && !self.solid && self.form == Vec3::new(-1.0, 1.0, 0.0)
+    }
+
+    /// The value of the usual crackle; `None` where it is known to be above `bound`.
+    pub fn value_unless_above(&self, p: Vec3, bound: f64) -> Option<f64> {
+        let measure = || Nearest::<2>::search(p, Metric::Euclid).powers.map(f64::sqrt);
+        difference_unless_above(p, bound, measure).map(|value| value.clamp(0.0, 1.0))
     }
 }
 
@@ -284,6 +301,31 @@ mod tests {
                 assert_eq!((one.powers[0], one.point), (all[0], same.point), "{q} {metric:?}");
             }
         }
+    }
+
+    #[test]
+    fn what_is_known_near_by_holds() {
+        let usual = Crackle {
+            form: Vec3::new(-1.0, 1.0, 0.0),
+            metric: Metric::Euclid,
+            offset: 0.0,
+            solid: false,
+            noise: 2,
+        };
+        let mut known = 0;
+        for i in 0..40_000 {
+            let t = f64::from(i) * 1e-3;
+            let p = Vec3::new(t, 0.3 * t - 7.0, 5.0 * (0.01 * t).sin());
+            let value = usual.value(p);
+            match usual.value_unless_above(p, 0.1) {
+                Some(found) => assert_eq!(found, value, "{p}"),
+                None => {
+                    known += 1;
+                    assert!(value > 0.1, "{p}");
+                }
+            }
+        }
+        assert!(known > 20_000, "{known}");
     }
 
     #[test]

@@ -8,6 +8,7 @@ mod crackle_bounds;
 mod density;
 mod fractal;
 mod geometric;
+mod known;
 mod noisy;
 mod pavement;
 mod ripples;
@@ -154,6 +155,21 @@ impl Pattern {
     #[inline]
     pub(crate) fn eval_warped(&self, p: Vec3, context: &Context) -> f64 {
         self.wave.apply(self.kind.value(p, context))
+    }
+
+    /// Is there a shortcut to values above a bound?
+    pub(crate) fn foresees(&self) -> bool {
+        self.wave.is_plain() && matches!(&self.kind, Kind::Crackle(crackle) if crackle.is_usual())
+    }
+
+    /// The value at a point that has been warped already; `None` where it is known to be above `bound`, for patterns
+    /// with a shortcut.
+    #[inline]
+    pub(crate) fn eval_unless_above(&self, p: Vec3, bound: f64, context: &Context) -> Option<f64> {
+        match &self.kind {
+            Kind::Crackle(crackle) => crackle.value_unless_above(p, bound),
+            _ => Some(self.eval_warped(p, context)),
+        }
     }
 
     /// The values at four points that have been warped already.

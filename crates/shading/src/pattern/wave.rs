@@ -37,6 +37,12 @@ impl Waveform {
         }
     }
 
+    /// Do values in 0..=1 stay as they are?
+    pub fn is_plain(&self) -> bool {
+        let unscaled = self.frequency == 0.0 || (self.frequency == 1.0 && self.phase == 0.0);
+        unscaled && self.wave == scene::Wave::Ramp
+    }
+
     /// The value that maps look up. A NaN becomes 0.
     #[inline]
     pub fn apply(&self, mut v: f64) -> f64 {

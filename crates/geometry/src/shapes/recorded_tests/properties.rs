@@ -25,15 +25,25 @@ struct Allowed {
     least: f64,
     /// Gaps shorter than this between hits may be missed, at grazing rays.
     gap: f64,
+    /// Thin parts may be passed over, so that only the hits themselves can be judged.
+    thin: bool,
+    /// The surface does not close around what counts as inside.
+    open: bool,
 }
 
-const EXACT: Allowed = Allowed { off: 1e-7, least: 2e-4, gap: 1e-5 };
+const EXACT: Allowed = Allowed { off: 1e-7, least: 2e-4, gap: 1e-5, thin: false, open: false };
 
 /// Found by steps of 0.0001.
-const STEPPED: Allowed = Allowed { off: 1e-4, least: 2e-3, gap: 1e-3 };
+const STEPPED: Allowed = Allowed { off: 1e-4, least: 2e-3, gap: 1e-3, thin: false, open: false };
 
 /// Found by a march in steps of 0.02 or more.
-const MARCHED_SHAPE: Allowed = Allowed { off: 1e-6, least: 2e-2, gap: 2e-2 };
+const MARCHED_SHAPE: Allowed = Allowed { off: 1e-6, least: 2e-2, gap: 2e-2, thin: false, open: false };
+
+/// Found by a march that passes thin parts over.
+const DEEP: Allowed = Allowed { off: 1e-6, gap: 1e-5, thin: true, ..MARCHED_SHAPE };
+
+/// As exact, and open.
+const OPEN: Allowed = Allowed { open: true, ..EXACT };
 
 /// Numbers between -1 and 1 without pattern, the same on every machine.
 struct Numbers(u64);
@@ -62,17 +72,18 @@ struct Shot<'a> {
 impl Shot<'_> {
     /// What is wrong, if anything is.
     fn fault(&self, march: bool) -> Option<String> {
+        let solid = self.surface.is_solid() && !self.allowed.open;
         let first = self.surface.closest(&self.ray, (0.0, f64::INFINITY)).map(|h| h.t);
         if first != self.hits.first().map(|h| h.t) {
             return Some(format!("the closest is at {first:?}"));
         }
-        if self.hits.len() % 2 == 1 && self.surface.is_solid() {
+        if self.hits.len() % 2 == 1 && solid {
             return Some("it never comes out".into());
         }
-        if let Some(i) = (0..self.hits.len()).find(|&i| !self.starts_again(i)) {
+        if let Some(i) = (0..self.hits.len()).find(|&i| !(self.allowed.thin || self.starts_again(i))) {
             return Some(format!("a ray from hit {i} goes astray"));
         }
-        if !self.surface.is_solid() {
+        if !solid {
             return None;
         }
         if let Some(i) = (0..self.hits.len()).find(|&i| !self.changes_at(i)) {
@@ -80,7 +91,7 @@ impl Shot<'_> {
         }
         let last = 2.0 * FAR;
         (0..STEPS)
-            .filter(|_| march)
+            .filter(|_| march && !self.allowed.thin)
             .map(|k| last * f64::from(k) / f64::from(STEPS))
             .find(|&t| !self.agrees_at(t))
             .map(|t| format!("`inside` is wrong at {t}"))
@@ -105,11 +116,13 @@ impl Shot<'_> {
         inside(hit.t - slack) == (i % 2 == 1) && inside(hit.t + slack) == i.is_multiple_of(2)
     }
 
-    /// Is `inside` at a distance what the hits say?
+    /// Is `inside` at a distance what the hits say? Stretches shorter than the gap may be passed over.
     fn agrees_at(&self, t: f64) -> bool {
+        let gap = self.allowed.gap;
         let passed = self.hits.iter().filter(|h| h.t < t).count();
-        let near = self.hits.iter().any(|h| (h.t - t).abs() < self.slack(h).max(self.allowed.gap));
-        near || self.surface.inside(self.ray.at(t)) != passed.is_multiple_of(2)
+        let near = self.hits.iter().any(|h| (h.t - t).abs() < self.slack(h).max(gap));
+        let agrees = |t: f64| self.surface.inside(self.ray.at(t)) != passed.is_multiple_of(2);
+        near || agrees(t) || agrees(t - 0.5 * gap) || agrees(t + 0.5 * gap)
     }
 
     /// Does a ray from a hit find the next one?
@@ -131,6 +144,9 @@ impl Subject {
     fn keeps_the_laws(&self, allowed: Allowed) {
         let mut numbers = Numbers(1);
         let (mut faults, mut met) = (Vec::new(), 0);
+        let alongs: [Vec3; 16] = std::array::from_fn(|_| numbers.vector());
+        let reaches: Vec<_> =
+            alongs.into_iter().filter_map(|along| Some((along, self.surface.reach(along)?))).collect();
         for k in 0..RAYS {
             let origin = numbers.vector().normalize() * FAR;
             let ray = Ray::new(origin, (numbers.vector() - origin).normalize());
@@ -138,6 +154,10 @@ impl Subject {
             self.surface.hits(&ray, (0.0, f64::INFINITY), &mut hits);
             hits.sort_by(|a, b| a.t.total_cmp(&b.t));
             met += u32::from(!hits.is_empty());
+            reaches.iter().for_each(|&(along, reach)| {
+                let beyond = hits.iter().find(|h| ray.at(h.t).dot(along) > reach + 1e-6);
+                assert!(beyond.is_none(), "{}: ray {k} meets it beyond its reach along {along}", self.name);
+            });
             let shot = Shot { surface: &self.surface, ray, hits, allowed };
             if let Some(fault) = shot.fault(k % MARCHED == 0) {
                 let at: Vec<f64> = shot.hits.iter().map(|h| h.t).collect();
@@ -208,6 +228,15 @@ laws! {
     cushion: superellipsoid("super"), Allowed { off: 1e-6, ..EXACT };
     star: superellipsoid("super_star"), Allowed { off: 1e-6, ..EXACT };
     linear_lathe: lathe("lathe_linear"), EXACT;
+    quadratic_lathe: lathe("lathe_quad"), OPEN;
+    cubic_lathe: lathe("lathe_cubic"), OPEN;
+    bezier_lathe: lathe("lathe_bezier"), OPEN;
+    linear_sweep: sweep("sweep_linear"), OPEN;
+    cubic_sweep: sweep("sweep_cubic"), OPEN;
+    b_spline_sweep: sweep("sweep_b"), Allowed { least: 2e-3, ..OPEN };
+    landscape: height_field("hf_func"), OPEN;
+    parametric_tube: parametric(), EXACT;
+    disc_with_a_hole: simple("disc"), OPEN;
     surface_of_revolution: sor("sor"), EXACT;
     egg: ovus("ovus"), EXACT;
     egg_on_its_head: ovus("ovus_top"), EXACT;
@@ -216,6 +245,9 @@ laws! {
     isosurface: functions::isosurface("iso_all"), STEPPED;
     isosurface_in_a_ball: functions::isosurface("iso_closed"), STEPPED;
     isosurface_with_noise: functions::isosurface("iso_noise"), STEPPED;
+    julia_fractal_at_full_depth: functions::julia("julia"), DEEP;
+    julia_fractal_of_cubes_at_full_depth: functions::julia("julia_cube"), DEEP;
+    julia_fractal_of_hypercomplex_numbers_at_full_depth: functions::julia("julia_hyper"), DEEP;
     julia_fractal: few_steps("julia"), MARCHED_SHAPE;
     julia_fractal_of_cubes: few_steps("julia_cube"), MARCHED_SHAPE;
     julia_fractal_of_hypercomplex_numbers: few_steps("julia_hyper"), MARCHED_SHAPE;
