@@ -161,9 +161,8 @@ impl Program {
 
     /// Does it surely compute the same, bit for bit?
     pub(crate) fn same(&self, other: &Program) -> bool {
-        let alike = |(a, b): (&Call, &Call)| {
-            a.args == b.args && a.outputs == b.outputs && a.target.same(&b.target)
-        };
+        let alike =
+            |(a, b): (&Call, &Call)| a.args == b.args && a.outputs == b.outputs && a.target.same(&b.target);
         let bits = |template: &[f64]| template.iter().map(|v| v.to_bits()).collect::<Vec<_>>();
         (&self.ops, &self.params, self.result) == (&other.ops, &other.params, other.result)
             && self.calls.len() == other.calls.len()

@@ -183,6 +183,22 @@ mod tests {
     }
 
     #[test]
+    fn bounds_of_colours_hold_what_lies_between() {
+        let grey = |v: f32| Color { rgb: raggio_image::Rgb::splat(v), ..Color::default() };
+        let map = Map::new([(0.0, grey(0.0)), (0.5, grey(1.0)), (1.0, grey(0.5))]);
+        let over = |lo: f64, hi: f64| map.enclose(Bounds::variable(0, Range::new(lo, hi)))[0];
+        let close = |r: Range, lo: f64, hi: f64| (r.lo - lo).abs() < 1e-6 && (r.hi - hi).abs() < 1e-6;
+        let rising = over(0.1, 0.4);
+        assert!(close(rising.value, 0.2, 0.8) && close(rising.slopes[0], 2.0, 2.0), "{rising:?}");
+        let bent = over(0.4, 0.75);
+        assert!(close(bent.value, 0.75, 1.0) && close(bent.slopes[0], -1.0, 2.0), "{bent:?}");
+        let beyond = over(0.75, 1.5);
+        assert!(close(beyond.value, 0.5, 0.75) && close(beyond.slopes[0], -1.0, 0.0), "{beyond:?}");
+        let jumping = Map::new([(0.0, grey(0.0)), (0.5, grey(0.2)), (0.5, grey(1.0))]);
+        assert!(jumping.enclose(Bounds::variable(0, Range::new(0.4, 0.6)))[0].is_vague());
+    }
+
+    #[test]
     fn an_empty_map_has_nothing() {
         assert_eq!(map(&[]).at(0.5), Blend::One(None));
     }

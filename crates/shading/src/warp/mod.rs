@@ -84,9 +84,8 @@ impl WarpList {
             [] => Some(p),
             [Op::Transform(t)] => {
                 let Affine { matrix3: m, translation } = t.inverse;
-                let row = |k: usize| {
-                    m.x_axis[k] * p[0] + m.y_axis[k] * p[1] + m.z_axis[k] * p[2] + translation[k]
-                };
+                let row =
+                    |k: usize| m.x_axis[k] * p[0] + m.y_axis[k] * p[1] + m.z_axis[k] * p[2] + translation[k];
                 Some([row(0), row(1), row(2)])
             }
             _ => None,

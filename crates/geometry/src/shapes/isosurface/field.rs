@@ -296,7 +296,14 @@ impl Field {
         }
         self.note_slope(value, &found.slopes);
         let depth = whole.map_or(0, |whole| whole.depth + 1);
-        let mut cell = Cell { plane: 0.0, axis: NONE, depth, halves: OnceLock::new(), value, known: Box::new(Known { model, bounds }) };
+        let mut cell = Cell {
+            plane: 0.0,
+            axis: NONE,
+            depth,
+            halves: OnceLock::new(),
+            value,
+            known: Box::new(Known { model, bounds }),
+        };
         if let Some(axis) =
             axis_to_cut(&found.slopes, half).filter(|_| cell.is_worth_cutting(self.max_gradient))
         {

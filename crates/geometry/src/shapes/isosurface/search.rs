@@ -45,7 +45,12 @@ impl Search<'_> {
 
     /// Where the function's value at a parameter lies: a single number, unless the walk, which begins there, tells
     /// enough.
-    pub(super) fn where_value_is(&self, t: f64, walk: Option<&Walk>, enough: impl Fn(Range) -> bool) -> Range {
+    pub(super) fn where_value_is(
+        &self,
+        t: f64,
+        walk: Option<&Walk>,
+        enough: impl Fn(Range) -> bool,
+    ) -> Range {
         let known = walk.map(|walk| walk.cell.value_at(self.ray.at(t))).filter(|&known| enough(known));
         known.unwrap_or_else(|| Range::one(self.surface.value(self.ray.at(t))))
     }
@@ -78,7 +83,8 @@ impl Search<'_> {
                 let last = if to < end { grid.not_before(to).saturating_sub(1) } else { grid.count };
                 let first = grid.not_before(walk.stretch.0).max(progress.done + 1);
                 if first <= last
-                    && let Some(index) = self.in_stretch(&grid, (first, last), walk.cell.model(), &mut progress)
+                    && let Some(index) =
+                        self.in_stretch(&grid, (first, last), walk.cell.model(), &mut progress)
                 {
                     return Some(grid.at(index));
                 }
