@@ -16,6 +16,6 @@ pub fn write(path: &Path, picture: &Bitmap) -> Result<(), String> {
         std::fs::create_dir_all(folder).map_err(|e| said(&e))?;
     }
     let mut bytes = Vec::new();
-    raggio_image::write_png(picture, &mut bytes).map_err(|e| said(&e))?;
+    raggio_image::write_png(picture, 1, &mut bytes).map_err(|e| said(&e))?;
     std::fs::write(path, bytes).map_err(|e| said(&e))
 }

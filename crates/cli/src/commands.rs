@@ -60,8 +60,13 @@ fn try_render(
     let traced = start.elapsed();
     ready.world.warnings().iter().for_each(|warning| report.say("warning", warning));
     let cancelled = film.cancelled;
-    let encode =
-        EncodeOptions { format, alpha: args.alpha, bits: args.bits.unwrap_or(8), ..EncodeOptions::default() };
+    let encode = EncodeOptions {
+        format,
+        alpha: args.alpha,
+        bits: args.bits.unwrap_or(8),
+        threads: args.trace.threads,
+        ..EncodeOptions::default()
+    };
     let encode = pipeline::encode_options(&ready.loaded, encode);
     raggio::write_picture(&pipeline::picture(film), &encode, &output).map_err(|e| Some(e.to_string()))?;
     if args.scene.timing {

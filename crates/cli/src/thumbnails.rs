@@ -56,7 +56,8 @@ impl<'a> Thumbnails<'a> {
     pub(crate) fn write(self, output: &Path) -> Result<Outcome, Option<String>> {
         let failed = |e: String| Some(format!("cannot write {}: {e}", output.display()));
         let mut png = Vec::new();
-        raggio::image::write_png(&sheet::sheet(&self.cells), &mut png).map_err(|e| failed(e.to_string()))?;
+        raggio::image::write_png(&sheet::sheet(&self.cells), 1, &mut png)
+            .map_err(|e| failed(e.to_string()))?;
         raggio::write_whole(output, &png).map_err(|e| failed(e.to_string()))?;
         if self.cancelled {
             self.report.say("warning", &format!("interrupted; {} holds what was there", output.display()));

@@ -2,7 +2,7 @@
 use crate::{BinaryOp, Builtin};
 
 /// Degrees to radians, the language's constant.
-const RADIAN: f64 = std::f64::consts::PI / 180.0;
+pub(crate) const RADIAN: f64 = std::f64::consts::PI / 180.0;
 
 /// Truth as a number.
 #[inline]

@@ -10,6 +10,7 @@ use std::sync::Arc;
 use crate::allocate::allocate;
 use crate::builtin::{select, truncate};
 use crate::internal::{Args, generator_number};
+use crate::native::Native;
 use crate::program::{Call, Code, Op, Program, Target};
 use crate::{BinaryOp, Builtin, Expr, Function, Internal, MAX_PARAMS};
 
@@ -403,6 +404,7 @@ impl Builder {
             template: template.into(),
             params: params.iter().map(|&p| allocation.register(p)).collect(),
             result: place(result),
+            native: Native::default(),
         }
     }
 }

@@ -89,6 +89,15 @@ impl Function {
         }
     }
 
+    /// Makes native code at once that else comes after some thousand evaluations; answers whether there is any. The
+    /// values are the same.
+    pub fn prepare(&self) -> bool {
+        match &self.body {
+            Body::Expr { program, .. } => program.prepare(),
+            Body::External(_) => false,
+        }
+    }
+
     /// All components of the value; those beyond [`Function::components`] are 0.
     pub fn eval5(&self, args: &[f64]) -> [f64; 5] {
         match &self.body {

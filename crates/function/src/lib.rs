@@ -16,6 +16,11 @@ mod compile;
 mod expr;
 mod function;
 mod internal;
+#[cfg_attr(
+    not(all(feature = "native", any(target_arch = "x86_64", target_arch = "aarch64"), not(miri))),
+    path = "native/absent.rs"
+)]
+mod native;
 mod program;
 
 pub use bounds::{Bounds, Range, VARIABLES};

@@ -9,6 +9,7 @@ use raggio_math::{Vec3, noise::noise};
 
 use crate::builtin::{maximum, minimum};
 use crate::internal::{Args, Entry};
+use crate::native::Native;
 use crate::{BinaryOp, Builtin, External, Function, MAX_PARAMS};
 
 /// What an operation does with its operands `a` and `b`.
@@ -126,6 +127,8 @@ pub(crate) struct Program {
     /// The register of each parameter; `None` for parameters that are not used.
     pub params: Box<[Option<u32>]>,
     pub result: u32,
+    /// Machine code, once the program has run often.
+    pub native: Native,
 }
 
 /// Register files that fit on the stack, by size. The size is a power of two, so that masking an index keeps it in
@@ -178,6 +181,15 @@ impl Program {
     /// The value at `args`.
     #[inline]
     pub(crate) fn run(&self, args: &[f64]) -> f64 {
+        self.native.value(self, args).unwrap_or_else(|| self.interpret(args))
+    }
+
+    /// Compiles to machine code now and not after some thousand runs; answers whether there is any.
+    pub(crate) fn prepare(&self) -> bool {
+        self.native.prepare(self)
+    }
+
+    fn interpret(&self, args: &[f64]) -> f64 {
         match self.template.len() {
             16 => self.run_on_stack::<16>(args),
             64 => self.run_on_stack::<64>(args),

@@ -60,17 +60,24 @@ impl Color {
     /// `self` at `t = 0`, `other` at `t = 1`, every channel linearly.
     #[inline]
     pub fn lerp(self, other: Color, t: f64) -> Color {
-        let mix = |a: f32, b: f32| (f64::from(a) * (1.0 - t) + f64::from(b) * t) as f32;
         Color {
-            rgb: Rgb::new(
-                mix(self.rgb.x, other.rgb.x),
-                mix(self.rgb.y, other.rgb.y),
-                mix(self.rgb.z, other.rgb.z),
-            ),
-            filter: mix(self.filter, other.filter),
-            transmit: mix(self.transmit, other.transmit),
+            rgb: self.lerp_rgb(other, t),
+            filter: mix(self.filter, other.filter, t),
+            transmit: mix(self.transmit, other.transmit, t),
         }
     }
+
+    /// The same without filter and transmit.
+    #[inline]
+    pub fn lerp_rgb(self, other: Color, t: f64) -> Rgb {
+        let (a, b) = (self.rgb, other.rgb);
+        Rgb::new(mix(a.x, b.x, t), mix(a.y, b.y, t), mix(a.z, b.z, t))
+    }
+}
+
+#[inline]
+fn mix(a: f32, b: f32, t: f64) -> f32 {
+    (f64::from(a) * (1.0 - t) + f64::from(b) * t) as f32
 }
 
 /// A transfer curve between encoded and linear values.

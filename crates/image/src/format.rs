@@ -16,7 +16,7 @@ pub enum Format {
     Tiff,
     Hdr,
     Exr,
-    /// Amiga pictures: known by name, neither read nor written.
+    /// ILBM and PBM, the Amiga's pictures: read, not written.
     Iff,
 }
 
@@ -35,7 +35,7 @@ impl Format {
             "tif" | "tiff" => Format::Tiff,
             "hdr" => Format::Hdr,
             "exr" => Format::Exr,
-            "iff" => Format::Iff,
+            "iff" | "ilbm" | "lbm" => Format::Iff,
             _ => return None,
         })
     }

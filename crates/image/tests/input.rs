@@ -137,8 +137,6 @@ fn formats_are_told_by_content_before_name() {
     assert_eq!(read(png, Format::Jpeg).curve, read(png, Format::Png).curve);
     assert_eq!(Format::from_name("a.b/PIC.JPEG"), Some(Format::Jpeg));
     assert_eq!(Format::from_name("picture"), None);
-    let iff = decode(b"FORM\0\0\0\0ILBM", None).expect_err("IFF is not read").to_string();
-    assert!(iff.contains("IFF"), "{iff}");
     assert!(matches!(decode(b"nonsense", None), Err(DecodeError::Unknown)));
 }
 

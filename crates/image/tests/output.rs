@@ -206,7 +206,7 @@ fn comparison_sees_differences() {
     assert!(other.mean_flip > 0.001 && other.mean_flip < 0.5, "{}", other.mean_flip);
     assert_eq!((other.panel.width, other.panel.height), (3 * 16 + 2, 16));
     let mut png = Vec::new();
-    write_png(&other.panel, &mut png).expect("a panel");
+    write_png(&other.panel, 1, &mut png).expect("a panel");
     assert_eq!(read(&png).pixels, other.panel.pixels);
     assert!(compare(&a, &develop(&ramp(2), &EncodeOptions::default())).is_err());
 }

@@ -110,6 +110,7 @@ fn picture(name: &str, words: &Words, around: &Surroundings) -> Result<Option<Ar
         filter_index: Vec::new(),
         transmit_index: Vec::new(),
         use_index: false,
+        smooth: false,
         use_alpha: false,
     })))
 }

@@ -1,4 +1,6 @@
 //! What the language has beyond POV-Ray's, asked by a scene's own `trace` and `inside`.
+use std::sync::atomic::AtomicBool;
+
 use raggio::SceneOptions;
 
 /// Reads a scene, which checks itself by `#error`.
@@ -62,4 +64,50 @@ fn a_smooth_patch_is_the_surface_that_facets_come_close_to() {
         Same(bicubic_patch {{ type 1 smooth flatness 0 u_steps 3 v_steps 3 {points} }},
              bicubic_patch {{ type 1 flatness 0 u_steps 7 v_steps 7 {points} }}, 1e-3)"
     ));
+}
+
+/// The middle row of a picture of a checked floor that reaches to the horizon, under light that hides nothing.
+fn floor(image: &str) -> Vec<f32> {
+    let text = format!(
+        "#version 3.7; global_settings {{ assumed_gamma 1 }}
+        camera {{ location <0.3, 2, 0> look_at <0.3, 1, 60> right 4/3*x }}
+        plane {{ y, 0
+          pigment {{ image_map {{ function 64, 64 {{ mod(floor(x*63.5) + floor(y*63.5), 2) }} {image} }} rotate 90*x }}
+          finish {{ ambient 1 diffuse 0 }} }}"
+    );
+    let loaded = raggio::load(&SceneOptions::text("floor.pov", text.as_str()))
+        .unwrap_or_else(|e| panic!("{}", e.render()));
+    let world = loaded.build().unwrap_or_else(|e| panic!("{}", e.render()));
+    let options = raggio::RenderOptions { width: 80, height: 60, ..raggio::RenderOptions::default() };
+    let film = world.render(&options, &AtomicBool::new(false), &|_, _| {});
+    film.pixels[36 * 80..50 * 80].iter().map(|p| p[0]).collect()
+}
+
+#[test]
+fn a_smooth_image_is_grey_where_its_squares_are_smaller_than_pixels() {
+    let (plain, smooth) = (floor(""), floor("smooth"));
+    assert_eq!(plain, floor("smooth off"));
+    let picked = plain.iter().filter(|&&v| v == 0.0 || v == 1.0).count();
+    assert!(picked > plain.len() * 9 / 10, "{picked} of {}", plain.len());
+    for v in smooth {
+        assert!((v - 0.5).abs() < 0.05, "{v}");
+    }
+}
+
+#[test]
+fn an_enlarged_smooth_image_looks_as_ever() {
+    let picture = |image: &str| {
+        let text = format!(
+            "#version 3.7; global_settings {{ assumed_gamma 1 }}
+            camera {{ orthographic location <0.5, 0.5, -1> look_at <0.5, 0.5, 0> right x up y }}
+            plane {{ z, 0 pigment {{ image_map {{ function 5, 5 {{ x*y }} interpolate 2 {image} }} }}
+              finish {{ ambient 1 diffuse 0 }} }}"
+        );
+        let loaded = raggio::load(&SceneOptions::text("near.pov", text.as_str()))
+            .unwrap_or_else(|e| panic!("{}", e.render()));
+        let world = loaded.build().unwrap_or_else(|e| panic!("{}", e.render()));
+        let options = raggio::RenderOptions { width: 40, height: 40, ..raggio::RenderOptions::default() };
+        world.render(&options, &AtomicBool::new(false), &|_, _| {}).pixels
+    };
+    assert_eq!(picture("smooth"), picture(""));
 }

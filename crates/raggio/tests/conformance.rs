@@ -109,7 +109,7 @@ fn fault(name: &str) -> Option<String> {
     let panel = root().join("out").join(format!("{}.png", name.replace('/', "-")));
     std::fs::create_dir_all(root().join("out")).expect("a folder");
     let mut bytes = Vec::new();
-    raggio::image::write_png(&comparison.panel, &mut bytes).expect("encoded");
+    raggio::image::write_png(&comparison.panel, 1, &mut bytes).expect("encoded");
     std::fs::write(&panel, bytes).expect("written");
     Some(format!("mean FLIP {:.4}, at most {limit}; see {}", comparison.mean_flip, panel.display()))
 }

@@ -6,7 +6,7 @@ use crate::antialias::{Difference, First, NonRecursive, Patch, Recursive, Shoot,
 use crate::api::{Antialias, AntialiasMethod, Options, Region};
 use crate::camera::{Frame, Lens};
 use crate::film::{Pixel, Tile};
-use crate::integrator::{Beam, Quality, Tracer};
+use crate::integrator::{Beam, PixelCone, Quality, Tracer};
 use crate::photons;
 use crate::radiosity;
 use crate::sampling::Streams;
@@ -57,6 +57,7 @@ impl<'w> Sampler<'w> {
         let plan = world.photons.as_ref().filter(|_| !photons.is_empty());
         tracer.photons = plan.map(|plan| photons::State::new(photons, plan));
         let frame = Frame { width: options.width as f64, height: options.height as f64 };
+        tracer.pixel = pixel_cone(world, frame);
         Sampler { tracer, options, frame }
     }
 
@@ -170,5 +171,18 @@ impl<'w> Sampler<'w> {
             }
         }
         if count == 0.0 { NOTHING } else { sum.map(|v| v / count) }
+    }
+}
+
+/// What a pixel in the middle of the picture covers; nothing for cameras without rays there.
+fn pixel_cone(world: &World, frame: Frame) -> PixelCone {
+    if world.camera.mesh.is_some() {
+        return PixelCone::default();
+    }
+    let (x, y) = (0.5 * frame.width, 0.5 * frame.height);
+    let ray = |x: f64| world.camera.ray(x, y, frame, None);
+    match (ray(x - 0.5), ray(x + 0.5)) {
+        (Some(a), Some(b)) => PixelCone::between(&a, &b),
+        _ => PixelCone::default(),
     }
 }

@@ -245,6 +245,8 @@ pub struct ImageMap {
     pub once: bool,
     /// Between pixels.
     pub interpolation: Interpolation,
+    /// `smooth`, an addition: the mean of what one of the camera's pixels covers. Of pigments only.
+    pub smooth: bool,
     /// `repeat u, v` and `offset u, v`
     pub repeat: Vec2,
     /// Shift in units of the picture.

@@ -17,6 +17,7 @@ mod warp;
 
 pub use context::{Context, Noise};
 pub use external::{PatternFunction, PigmentFunction};
+pub use image::FOOTPRINT_STEP;
 pub use normal::Normal;
 pub use pattern::Pattern;
 pub use pigment::Pigment;

@@ -18,6 +18,7 @@ pub struct Pigment {
     kind: Kind,
     quick_color: Option<Color>,
     opaque: bool,
+    smooth: bool,
 }
 
 #[derive(Debug)]
@@ -79,7 +80,8 @@ impl Compiler {
             }
         };
         let opaque = kind.is_opaque();
-        Pigment { kind, quick_color: pigment.quick_color, opaque }
+        let smooth = kind.is_smooth();
+        Pigment { kind, quick_color: pigment.quick_color, opaque, smooth }
     }
 }
 
@@ -100,6 +102,14 @@ fn color_at(map: &Map<Color>, value: f64) -> Color {
     }
 }
 
+#[inline]
+fn rgb_at(map: &Map<Color>, value: f64) -> Rgb {
+    match map.at(value) {
+        Blend::One(color) => color.map_or(Rgb::ZERO, |color| color.rgb),
+        Blend::Two(low, high, t) => low.lerp_rgb(*high, t),
+    }
+}
+
 impl Kind {
     fn is_opaque(&self) -> bool {
         match self {
@@ -108,6 +118,15 @@ impl Kind {
             Kind::Pigments { map, .. } | Kind::Average { map, .. } => map.items().all(|p| p.opaque),
             Kind::Image { image, .. } => image.is_opaque(),
             Kind::Uv(inner) => inner.opaque,
+        }
+    }
+
+    /// Texture coordinates do not tell how fast they change, so that what hangs on them is not smooth.
+    fn is_smooth(&self) -> bool {
+        match self {
+            Kind::Solid(_) | Kind::Colors { .. } | Kind::Foreseen { .. } | Kind::Uv(_) => false,
+            Kind::Pigments { map, .. } | Kind::Average { map, .. } => map.items().any(|p| p.smooth),
+            Kind::Image { image, .. } => image.is_smooth(),
         }
     }
 }
@@ -125,6 +144,19 @@ impl Pigment {
         found.then_some(color)
     }
 
+    /// The colour at a point without what it lets through, white where there is none.
+    pub fn rgb(&self, p: Vec3, context: &Context) -> Rgb {
+        match &self.kind {
+            Kind::Solid(color) => color.rgb,
+            Kind::Colors { pattern, map } => rgb_at(map, pattern.eval(p, context)),
+            Kind::Foreseen { pattern, map, bound, beyond } => {
+                let value = pattern.eval_unless_above(pattern.warp(p), *bound, context);
+                value.map_or(beyond.rgb, |value| rgb_at(map, value))
+            }
+            _ => self.sample(p, context).0.rgb,
+        }
+    }
+
     /// The colour at a point, clear white where there is none, and whether there is one.
     pub fn sample(&self, p: Vec3, context: &Context) -> (Color, bool) {
         match &self.kind {
@@ -136,16 +168,13 @@ impl Pigment {
             }
             Kind::Pigments { pattern, map } => {
                 let p = pattern.warp(p);
-                match map.at(pattern.eval_warped(p, context)) {
-                    Blend::One(entry) => entry.map_or((Color::BLACK, true), |e| e.sample(p, context)),
-                    Blend::Two(low, high, t) => mix(low.sample(p, context), high.sample(p, context), t),
-                }
+                pigment_at(&map.at(pattern.eval_warped(p, context)), p, context)
             }
-            Kind::Average { pattern, map } => average(map, pattern.warp(p), context),
-            Kind::Image { warps, image } => match image.color(warps.apply(p)) {
-                Some(color) => (color, true),
-                None => (CLEAR, false),
-            },
+            Kind::Average { pattern, map } => {
+                let p = pattern.warp(p);
+                average(map, |pigment| pigment.sample(p, context))
+            }
+            Kind::Image { warps, image } => image_color(image.color(warps.apply(p))),
             Kind::Uv(inner) => inner.sample(context.uv_point(), context),
         }
     }
@@ -157,6 +186,66 @@ impl Pigment {
             Kind::Colors { pattern, map } => map.enclose(pattern.enclose(p)),
             _ => [Bounds::UNKNOWN; 5],
         }
+    }
+
+    /// [`Pigment::sample`] at four points, faster than one by one where patterns are.
+    pub(crate) fn sample4(&self, points: &[Vec3; 4], context: &Context) -> [(Color, bool); 4] {
+        match &self.kind {
+            Kind::Colors { pattern, map } => {
+                pattern.eval4(points, context).map(|value| (color_at(map, value), true))
+            }
+            Kind::Pigments { pattern, map } => {
+                let points = points.map(|p| pattern.warp(p));
+                let blends = pattern.eval_warped4(&points, context).map(|value| map.at(value));
+                match common(&blends) {
+                    Some((low, high, t)) => {
+                        let (low, high) = (low.sample4(&points, context), high.sample4(&points, context));
+                        std::array::from_fn(|i| mix(low[i], high[i], t[i]))
+                    }
+                    None => std::array::from_fn(|i| pigment_at(&blends[i], points[i], context)),
+                }
+            }
+            _ => points.map(|p| self.sample(p, context)),
+        }
+    }
+
+    /// [`Pigment::eval`] where images that are `smooth` show the mean of a footprint: a point, and points
+    /// [`FOOTPRINT_STEP`](crate::FOOTPRINT_STEP) along its axes.
+    pub fn eval_over(&self, points: &[Vec3; 3], context: &Context) -> Option<Color> {
+        let (color, found) = self.sample_over(points, context);
+        found.then_some(color)
+    }
+
+    fn sample_over(&self, points: &[Vec3; 3], context: &Context) -> (Color, bool) {
+        if !self.smooth {
+            return self.sample(points[0], context);
+        }
+        match &self.kind {
+            Kind::Pigments { pattern, map } => {
+                let points = points.map(|p| pattern.warp(p));
+                match map.at(pattern.eval_warped(points[0], context)) {
+                    Blend::One(entry) => {
+                        entry.map_or((Color::BLACK, true), |e| e.sample_over(&points, context))
+                    }
+                    Blend::Two(low, high, t) => {
+                        mix(low.sample_over(&points, context), high.sample_over(&points, context), t)
+                    }
+                }
+            }
+            Kind::Average { pattern, map } => {
+                let points = points.map(|p| pattern.warp(p));
+                average(map, |pigment| pigment.sample_over(&points, context))
+            }
+            Kind::Image { warps, image } => image_color(image.color_over(&points.map(|p| warps.apply(p)))),
+            Kind::Solid(_) | Kind::Colors { .. } | Kind::Foreseen { .. } | Kind::Uv(_) => {
+                self.sample(points[0], context)
+            }
+        }
+    }
+
+    /// Does any image in it look at the camera's pixels?
+    pub fn is_smooth(&self) -> bool {
+        self.smooth
     }
 
     /// Does no part of it ever let light through?
@@ -178,16 +267,41 @@ impl Pigment {
     }
 }
 
+#[inline]
+fn pigment_at(blend: &Blend<'_, Arc<Pigment>>, p: Vec3, context: &Context) -> (Color, bool) {
+    match blend {
+        Blend::One(entry) => entry.map_or((Color::BLACK, true), |e| e.sample(p, context)),
+        Blend::Two(low, high, t) => mix(low.sample(p, context), high.sample(p, context), *t),
+    }
+}
+
+/// The two entries that all four lie between, as they usually do, being neighbours; and where.
+fn common<'a>(blends: &[Blend<'a, Arc<Pigment>>; 4]) -> Option<(&'a Pigment, &'a Pigment, [f64; 4])> {
+    let Blend::Two(low, high, _) = blends[0] else { return None };
+    let mut at = [0.0; 4];
+    for (at, blend) in at.iter_mut().zip(blends) {
+        match blend {
+            Blend::Two(l, h, t) if std::ptr::eq(*l, low) && std::ptr::eq(*h, high) => *at = *t,
+            _ => return None,
+        }
+    }
+    Some((low, high, at))
+}
+
 /// A mix is found where either part is.
 fn mix((a, a_found): (Color, bool), (b, b_found): (Color, bool), t: f64) -> (Color, bool) {
     (a.lerp(b, t), a_found || b_found)
 }
 
-fn average(map: &Map<Arc<Pigment>>, p: Vec3, context: &Context) -> (Color, bool) {
+fn image_color(color: Option<Color>) -> (Color, bool) {
+    color.map_or((CLEAR, false), |color| (color, true))
+}
+
+fn average(map: &Map<Arc<Pigment>>, sample: impl Fn(&Pigment) -> (Color, bool)) -> (Color, bool) {
     let total = map.total_weight() as f32;
     let (mut sum, mut found) = (Color::BLACK, false);
     for (weight, pigment) in map.weighted() {
-        let (color, here) = pigment.sample(p, context);
+        let (color, here) = sample(pigment);
         let weight = weight / total;
         sum.rgb += color.rgb * weight;
         sum.filter += color.filter * weight;

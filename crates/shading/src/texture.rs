@@ -145,6 +145,11 @@ impl TextureMap {
         }
     }
 
+    /// A point on its way into the map's space.
+    pub fn point_in(&self, p: Vec3) -> Vec3 {
+        self.warps().apply(p)
+    }
+
     /// A normal on its way into the map's space.
     pub fn normal_in(&self, n: Vec3) -> Vec3 {
         self.warps().normal_in(n, false)

@@ -87,6 +87,7 @@ fn a_material_map_takes_the_palettes_index() {
         filter_index: Vec::new(),
         transmit_index: Vec::new(),
         use_index: false,
+        smooth: false,
         use_alpha: false,
     };
     let textures = vec![plain(Color::BLACK), plain(Color::WHITE)];

@@ -234,6 +234,7 @@ impl Run<'_> {
             dither: s.dither.then_some(s.dither_method),
             quality: if s.compression < 2 { 85 } else { s.compression },
             run_length: s.run_length,
+            threads: s.threads,
             ..EncodeOptions::default()
         }
     }

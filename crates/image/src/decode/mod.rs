@@ -4,6 +4,7 @@
 mod common;
 mod exr;
 mod gif;
+mod iff;
 mod png;
 mod tga;
 
@@ -18,9 +19,6 @@ pub enum DecodeError {
     /// Nothing at the start of the file says what it is.
     #[error("this is no picture in a known format")]
     Unknown,
-    /// A format without a decoder.
-    #[error("{0} pictures cannot be read; convert it to PNG")]
-    Unsupported(Format),
     /// Too many pixels, or none.
     #[error("a picture of {0} x {1} pixels cannot be read")]
     Size(usize, usize),
@@ -42,7 +40,7 @@ pub fn decode(bytes: &[u8], format: Option<Format>) -> Result<Bitmap, DecodeErro
         Format::Pot => gif::decode_potential(bytes),
         Format::Tga => tga::decode(bytes),
         Format::Exr => exr::decode(bytes),
-        Format::Iff => return Err(DecodeError::Unsupported(format)),
+        Format::Iff => iff::decode(bytes),
         Format::Jpeg => common::decode(bytes, format, FileCurve::CustomSrgb),
         Format::Bmp => common::decode_bmp(bytes),
         Format::Pnm | Format::Tiff => common::decode(bytes, format, FileCurve::None),

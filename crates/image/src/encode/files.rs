@@ -6,56 +6,20 @@ use exr::prelude::WritableImage;
 use image::ExtendedColorType;
 
 use super::{EncodeError, EncodeOptions, Picture};
-use crate::{Bitmap, Curve, FileCurve, Format, Pixels, Rgb};
+use crate::{Bitmap, Curve, Format, Pixels, Rgb};
 
 /// What files say about their maker.
-const SOFTWARE: &str = "Raggio";
+pub(super) const SOFTWARE: &str = "Raggio";
 
-fn refused<E: std::fmt::Display>(format: Format) -> impl Fn(E) -> EncodeError {
+pub(super) fn refused<E: std::fmt::Display>(format: Format) -> impl Fn(E) -> EncodeError {
     move |e| EncodeError::Refused(format, e.to_string())
 }
 
-fn size(bitmap: &Bitmap, format: Format) -> Result<(u32, u32), EncodeError> {
+pub(super) fn size(bitmap: &Bitmap, format: Format) -> Result<(u32, u32), EncodeError> {
     match (u32::try_from(bitmap.width), u32::try_from(bitmap.height)) {
         (Ok(width), Ok(height)) => Ok((width, height)),
         _ => Err(EncodeError::Size(bitmap.width, bitmap.height, format)),
     }
-}
-
-/// Writes a bitmap of whole numbers as PNG, with the chunks that its curve asks for. Palettes become colours.
-pub fn write_png(bitmap: &Bitmap, out: &mut impl Write) -> Result<(), EncodeError> {
-    let (width, height) = size(bitmap, Format::Png)?;
-    let wide = |v: &[u16]| v.iter().flat_map(|v| v.to_be_bytes()).collect::<Vec<u8>>();
-    let (color, depth, data): (_, _, Cow<[u8]>) = match &bitmap.pixels {
-        Pixels::Grey8(v) => (png::ColorType::Grayscale, 8, v.into()),
-        Pixels::Grey16(v) => (png::ColorType::Grayscale, 16, wide(v).into()),
-        Pixels::GreyAlpha8(v) => (png::ColorType::GrayscaleAlpha, 8, v.as_flattened().into()),
-        Pixels::GreyAlpha16(v) => (png::ColorType::GrayscaleAlpha, 16, wide(v.as_flattened()).into()),
-        Pixels::Rgb8(v) => (png::ColorType::Rgb, 8, v.as_flattened().into()),
-        Pixels::Rgb16(v) => (png::ColorType::Rgb, 16, wide(v.as_flattened()).into()),
-        Pixels::Rgba16(v) => (png::ColorType::Rgba, 16, wide(v.as_flattened()).into()),
-        other => (png::ColorType::Rgba, 8, other.rgba8().into_iter().flatten().collect::<Vec<u8>>().into()),
-    };
-    let mut encoder = png::Encoder::new(out, width, height);
-    encoder.set_color(color);
-    // A fifth of the usual level's time, for files a tenth larger.
-    encoder.set_deflate_compression(png::DeflateCompression::Level(2));
-    encoder.set_depth(if depth == 16 { png::BitDepth::Sixteen } else { png::BitDepth::Eight });
-    match bitmap.curve {
-        FileCurve::Stated(Curve::Power(g)) => encoder.set_source_gamma(png::ScaledFloat::new(1.0 / g)),
-        FileCurve::Stated(Curve::Linear) | FileCurve::Linear => {
-            encoder.set_source_gamma(png::ScaledFloat::new(1.0));
-        }
-        _ => encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual),
-    }
-    let error = |e: png::EncodingError| match e {
-        png::EncodingError::IoError(e) => EncodeError::Io(e),
-        other => refused(Format::Png)(other),
-    };
-    encoder.add_text_chunk("Software".to_owned(), SOFTWARE.to_owned()).map_err(error)?;
-    let mut writer = encoder.write_header().map_err(error)?;
-    writer.write_image_data(&data).map_err(error)?;
-    writer.finish().map_err(error)
 }
 
 /// Raw PPM or PGM with `bits` bits per sample.

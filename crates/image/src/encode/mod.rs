@@ -2,6 +2,8 @@
 mod develop;
 mod dither;
 mod files;
+mod parallel;
+mod png;
 mod steps;
 mod tga;
 
@@ -9,7 +11,7 @@ use std::io::Write;
 
 pub use develop::develop;
 pub use dither::Dither;
-pub use files::write_png;
+pub use png::write_png;
 
 use crate::{Curve, Format};
 
@@ -45,6 +47,8 @@ pub struct EncodeOptions {
     pub quality: u8,
     /// Run-length encode TGA.
     pub run_length: bool,
+    /// Threads that may work at a PNG file, which does not depend on them; 0 means all that the machine has.
+    pub threads: usize,
 }
 
 impl Default for EncodeOptions {
@@ -59,6 +63,7 @@ impl Default for EncodeOptions {
             dither: None,
             quality: 95,
             run_length: false,
+            threads: 1,
         }
     }
 }
@@ -93,7 +98,7 @@ pub fn encode(picture: &Picture, options: &EncodeOptions, out: &mut impl Write) 
         Format::Gif | Format::Pot | Format::Tiff | Format::Iff => {
             Err(EncodeError::Unsupported(options.format))
         }
-        Format::Png => write_png(&develop(picture, options), out),
+        Format::Png => write_png(&develop(picture, options), options.threads, out),
         Format::Pnm => files::write_pnm(&develop(picture, options), options.bits, out),
         Format::Jpeg => files::write_jpeg(&develop(picture, options), options.quality, out),
         Format::Bmp => files::write_bmp(&develop(picture, options), out),

@@ -67,7 +67,7 @@ impl Tracer<'_> {
                 stack.n_top = n;
                 stack.irid_top = layer.finish.irid;
             }
-            self.layer(point, layer, n, p, context, &mut stack);
+            self.layer(point, layer, n, (p, path), context, &mut stack);
         }
         self.beyond(point, stack)
     }
@@ -78,11 +78,18 @@ impl Tracer<'_> {
         point: &SurfacePoint<'_>,
         layer: &Layer,
         n: Vec3,
-        p: Vec3,
+        (p, path): (Vec3, &NormalPath<'_>),
         context: &Context,
         stack: &mut Stack,
     ) {
-        let found = self.pigment(layer, p, context);
+        let footprint = match layer.pigment.is_smooth() {
+            true => self.footprint(point, path, p),
+            false => None,
+        };
+        let found = match footprint {
+            Some(points) => layer.pigment.eval_over(&points, context),
+            None => self.pigment(layer, p, context),
+        };
         let color = found.unwrap_or(Color { rgb: Rgb::ONE, filter: 0.0, transmit: 1.0 });
         let finish = &layer.finish;
         let mirror = self.mirror(point, finish, n, color.rgb, stack.through);

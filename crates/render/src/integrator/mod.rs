@@ -1,5 +1,6 @@
 //! The Whitted integrator with POV-Ray's rules: what a ray sees (light spec, section 3).
 mod dispersion;
+mod footprint;
 mod interiors;
 mod layers;
 mod local;
@@ -18,6 +19,7 @@ use crate::sampling::Streams;
 use crate::world::World;
 use crate::{photons, radiosity};
 
+pub use footprint::PixelCone;
 pub use interiors::toggle;
 pub(crate) use refraction::fade;
 pub use textures::{NormalPath, for_each_plain, placed};
@@ -129,6 +131,9 @@ pub struct Tracer<'w> {
     pub photons: Option<photons::State<'w>>,
     /// How often light in work was scattered under surfaces.
     pub(crate) scatter_depth: u32,
+    /// What a pixel covers, and how far the light in work has come from the camera.
+    pub(crate) pixel: PixelCone,
+    way: f64,
     /// Light that arrives at the surface points in work, by light, each once for all layers.
     arriving: Vec<Option<Rgb>>,
     pub(crate) area_scratch: AreaScratch,
@@ -153,6 +158,8 @@ impl<'w> Tracer<'w> {
             radiosity: None,
             photons: None,
             scatter_depth: 0,
+            pixel: PixelCone::default(),
+            way: 0.0,
             arriving: Vec::new(),
             area_scratch: AreaScratch::default(),
             blockers: vec![BlockerGuess::default(); world.lights.len()],

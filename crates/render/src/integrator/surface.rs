@@ -54,7 +54,10 @@ impl Tracer<'_> {
             lights,
             arriving,
         };
+        let way = self.way;
+        self.way += hit.t;
         let mut seen = self.textures(&point);
+        self.way = way;
         self.arriving.truncate(arriving);
         if world.any_media && self.quality.volume() && !beam.interiors.is_empty() {
             self.contained_media(beam, hit.t, lights, &mut seen);

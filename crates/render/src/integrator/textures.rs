@@ -25,6 +25,16 @@ impl NormalPath<'_> {
         unit(self.leave(normal.perturb(self.enter(n, lengths), p, context), lengths))
     }
 
+    /// A point of the world in the layer's space, where no texture coordinates stand in its place.
+    pub fn point(&self, p: Vec3) -> Vec3 {
+        let p = self.outer.map_or(p, |outer| outer.point(p));
+        match self.step {
+            Step::Stay => p,
+            Step::Placed(frame) => frame.texture_from_world.transform_point3(p),
+            Step::Map(map) => map.point_in(p),
+        }
+    }
+
     /// A normal of the world in the layer's space. With `lengths`, places scale it.
     fn enter(&self, n: Vec3, lengths: bool) -> Vec3 {
         let n = self.outer.map_or(n, |outer| outer.enter(n, lengths));

@@ -29,7 +29,8 @@ pub struct Medium {
     /// What dims light: absorption and what is scattered away.
     extinction: Rgb,
     scattering: Option<Scattering>,
-    densities: Vec<(Pigment, Affine)>,
+    /// Each with the way from the world into its own coordinates, unless they are the world's.
+    densities: Vec<(Pigment, Option<Affine>)>,
     /// The density, where it is the same everywhere.
     even: Option<Rgb>,
     /// Do photons count in it?
@@ -81,7 +82,9 @@ impl Medium {
             .into_iter()
             .map(|density| {
                 let world_from_density = *world_from_media * density.parent_from_item();
-                (Pigment::compile(&density.item.0, noise), world_from_density.inverse())
+                let density_from_world = world_from_density.inverse();
+                let moved = density_from_world != Affine::IDENTITY;
+                (Pigment::compile(&density.item.0, noise), moved.then_some(density_from_world))
             })
             .collect();
         let scattered = media.scattering.map_or(Rgb::ZERO, |s| s.color * s.extinction);
@@ -108,12 +111,10 @@ impl Medium {
             return density;
         }
         let context = Context { ray_dir, ..Context::NONE };
-        let at = |(pigment, density_from_world): &(Pigment, Affine)| {
-            pigment.eval(density_from_world.transform_point3(p), &context).map_or(Rgb::ONE, |c| c.rgb)
-        };
         let mut product = Rgb::ONE;
-        for density in &self.densities {
-            product *= at(density);
+        for (pigment, density_from_world) in &self.densities {
+            let p = density_from_world.map_or(p, |way| way.transform_point3(p));
+            product *= pigment.rgb(p, &context);
             if product == Rgb::ZERO {
                 break;
             }

@@ -78,6 +78,7 @@ fn image_map(p: &Parser, source: Source, usage: Usage) -> ImageMap {
         filter_index: Vec::new(),
         transmit_index: Vec::new(),
         use_index: usage == Usage::Material,
+        smooth: false,
         use_alpha: false,
     }
 }
@@ -209,6 +210,7 @@ fn option(p: &mut Parser, usage: Usage, image: &mut ImageMap) -> Result<bool> {
             image.use_index = false;
         }
         Kw::Use_alpha => return set_flag(p, &mut image.use_alpha),
+        Kw::Smooth if usage == Usage::Colors => return set_flag(p, &mut image.smooth),
         Kw::Filter => transparency(p, &mut image.filter_all, &mut image.filter_index)?,
         Kw::Transmit => transparency(p, &mut image.transmit_all, &mut image.transmit_index)?,
         Kw::Alpha => {

@@ -1,6 +1,7 @@
 //! Images as pigments, patterns, bumps and choosers of materials (textures spec, section 7).
 mod kernel;
 mod place;
+mod smooth;
 mod texels;
 
 use std::sync::Arc;
@@ -10,13 +11,18 @@ use raggio_math::Vec3;
 use raggio_scene as scene;
 
 use kernel::for_each_tap;
+use smooth::Pyramid;
 use texels::Texels;
+
+pub use smooth::FOOTPRINT_STEP;
 
 /// A picture with the way from a point to its colour. The samples are shared with the scene.
 #[derive(Debug)]
 pub(crate) struct Image {
     map: Arc<scene::ImageMap>,
     texels: Texels,
+    /// Smaller copies, where the picture is `smooth`.
+    pyramid: Option<Box<Pyramid>>,
 }
 
 /// A place on the picture: columns from the left and rows from the top, in pixels, within the picture.
@@ -28,7 +34,15 @@ pub(crate) struct Place {
 
 impl Image {
     pub fn compile(map: &Arc<scene::ImageMap>) -> Self {
-        Image { map: map.clone(), texels: Texels::new(map) }
+        let texels = Texels::new(map);
+        let bitmap = &map.source.bitmap;
+        let pyramid = map.smooth.then(|| Box::new(Pyramid::new(&texels, bitmap.width, bitmap.height)));
+        Image { map: map.clone(), texels, pyramid }
+    }
+
+    /// Does it look at the camera's pixels?
+    pub fn is_smooth(&self) -> bool {
+        self.pyramid.is_some()
     }
 
     /// The colour that a point sees; `None` beside a picture used `once`.

@@ -3,6 +3,7 @@
 //! Each family of formulas has its file; [`Kind`] lists them all, and is what evaluation dispatches on.
 mod block;
 mod compile;
+mod complex;
 mod crackle;
 mod crackle_bounds;
 mod density;
@@ -157,6 +158,12 @@ impl Pattern {
         self.wave.apply(self.kind.value(p, context))
     }
 
+    /// The values at four points.
+    #[inline]
+    pub(crate) fn eval4(&self, points: &[Vec3; 4], context: &Context) -> [f64; 4] {
+        self.eval_warped4(&points.map(|p| self.warp(p)), context)
+    }
+
     /// Is there a shortcut to values above a bound?
     pub(crate) fn foresees(&self) -> bool {
         self.wave.is_plain() && matches!(&self.kind, Kind::Crackle(crackle) if crackle.is_usual())
@@ -179,6 +186,11 @@ impl Pattern {
         match &self.kind {
             Kind::Bozo { noise } => values = noise4(*noise, points),
             Kind::Fractal(settings) => values = fractal::values(settings, points),
+            Kind::Granite { noise } => values = noisy::granite4(points, *noise),
+            Kind::Wrinkles { noise } => values = noisy::wrinkles4(points, *noise),
+            Kind::Pigment(pigment) => {
+                values = pigment.sample4(points, context).map(|(color, _)| f64::from(grey(color.rgb)));
+            }
             kind => {
                 for (value, p) in values.iter_mut().zip(points) {
                     *value = kind.value(*p, context);

@@ -1,7 +1,7 @@
 //! Patterns made of noise, turbulence and waves.
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-use raggio_math::noise::{doctaves, dturbulence, octaves, turbulence};
+use raggio_math::noise::{doctaves, dturbulence, noise4, octaves, turbulence};
 use raggio_math::{Vec2, Vec3};
 use raggio_scene as scene;
 
@@ -31,19 +31,54 @@ pub(super) fn agate(p: Vec3, noise: u8, turbulence: &Turbulence, strength: f64) 
 pub(super) fn granite(p: Vec3, generator: u8) -> f64 {
     let (mut sum, mut weight) = (0.0, 1.0);
     for n in octaves::<6>(generator, p, 4.0, 2.0) {
-        sum += weight * if generator == 1 { (0.5 - n).abs() } else { (1.0 - 2.0 * n).abs().min(0.5) };
+        sum += weight * grain(n, generator);
         weight *= 0.5;
     }
     sum
 }
 
+pub(super) fn granite4(points: &[Vec3; 4], generator: u8) -> [f64; 4] {
+    octaves_of_four::<6>(points, generator, (4.0, 1.0), |n| grain(n, generator))
+}
+
+fn grain(n: f64, generator: u8) -> f64 {
+    if generator == 1 { (0.5 - n).abs() } else { (1.0 - 2.0 * n).abs().min(0.5) }
+}
+
 pub(super) fn wrinkles(p: Vec3, generator: u8) -> f64 {
     let (mut sum, mut weight) = (0.0, 0.5);
     for n in octaves::<10>(generator, p, 1.0, 2.0) {
-        sum += weight * if generator == 1 { n } else { (2.0 * n - 0.5).clamp(0.0, 1.0) };
+        sum += weight * wrinkle(n, generator);
         weight *= 0.5;
     }
     sum
+}
+
+pub(super) fn wrinkles4(points: &[Vec3; 4], generator: u8) -> [f64; 4] {
+    octaves_of_four::<10>(points, generator, (1.0, 0.5), |n| wrinkle(n, generator))
+}
+
+fn wrinkle(n: f64, generator: u8) -> f64 {
+    if generator == 1 { n } else { (2.0 * n - 0.5).clamp(0.0, 1.0) }
+}
+
+/// Sums over `N` octaves at four points, each octave twice as fine and half as strong as the one before.
+fn octaves_of_four<const N: usize>(
+    points: &[Vec3; 4],
+    generator: u8,
+    (mut scale, mut weight): (f64, f64),
+    octave: impl Fn(f64) -> f64,
+) -> [f64; 4] {
+    let mut sums = [0.0; 4];
+    for _ in 0..N {
+        let [a, b, c, d] = *points;
+        let values = noise4(generator, &[a * scale, b * scale, c * scale, d * scale]);
+        for (sum, n) in sums.iter_mut().zip(values) {
+            *sum += weight * octave(n);
+        }
+        (scale, weight) = (2.0 * scale, 0.5 * weight);
+    }
+    sums
 }
 
 /// A spiral of `arms` arms about the z axis.

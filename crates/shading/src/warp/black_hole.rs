@@ -9,6 +9,8 @@ pub(super) struct BlackHole {
     radius: f64,
     strength: f64,
     falloff: f64,
+    /// The same, where it is a small whole number.
+    whole_falloff: Option<i32>,
     /// Pushes instead of pulling.
     inverse: bool,
     repeat: Option<Blocks>,
@@ -43,7 +45,8 @@ impl BlackHole {
             }
             Blocks { size, wander }
         });
-        BlackHole { center, radius, strength, falloff, inverse, repeat }
+        let whole_falloff = (falloff.trunc() == falloff && falloff.abs() <= 16.0).then_some(falloff as i32);
+        BlackHole { center, radius, strength, falloff, whole_falloff, inverse, repeat }
     }
 
     pub fn apply(&self, p: Vec3) -> Vec3 {
@@ -53,7 +56,10 @@ impl BlackHole {
             return p;
         }
         let depth = (self.radius - distance) / self.radius;
-        let reach = if self.falloff == 2.0 { depth * depth } else { depth.powf(self.falloff) };
+        let reach = match self.whole_falloff {
+            Some(n) => depth.powi(n),
+            None => depth.powf(self.falloff),
+        };
         let pull = (reach * self.strength).min(1.0);
         p + from_center * if self.inverse { -pull } else { pull }
     }

@@ -67,6 +67,7 @@ pub fn image_map(name: &str) -> ImageMap {
         filter_index: Vec::new(),
         transmit_index: Vec::new(),
         use_index: false,
+        smooth: false,
         use_alpha: false,
     }
 }
