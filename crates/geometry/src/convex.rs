@@ -1,9 +1,9 @@
-//! The convex part of an intersection: its planes and spheres, which say at once where a ray can be inside at all. Clips
-//! are as good as members.
+//! The convex part of an intersection: planes, spheres and other convex bodies, which say at once where a ray can be
+//! inside at all. Clips are as good as members.
 use raggio_math::{Aabb, Affine, EPS, Ray, Vec3, transform};
 
 use crate::leaf::{Leaves, Prim};
-use crate::shapes::{Plane, Sphere};
+use crate::shapes::{Plane, ShapeKind, Sphere};
 use crate::tree::{Node, NodeRef};
 
 /// Room for rounding at both ends of a span, as a share of the distance and by itself.
@@ -15,15 +15,17 @@ const FAR: f64 = 1e7;
 /// So many planes are looked at for corners.
 const MOST_PLANES: usize = 8;
 
-/// Planes and spheres that a point must be inside of.
+/// Planes, spheres and other bodies that a point must be inside of.
 #[derive(Default)]
 pub(crate) struct Convex {
     planes: Vec<Plane>,
     spheres: Vec<Sphere>,
+    /// Leaves of other bodies that a ray is inside of on one stretch, mostly.
+    bodies: Vec<u32>,
 }
 
 impl Convex {
-    /// The planes and spheres among the members of an intersection and the clips, if there are any.
+    /// The convex bodies among the members of an intersection and the clips, if there are any.
     pub(crate) fn of(members: impl Iterator<Item = NodeRef>, leaves: &Leaves) -> Option<Self> {
         let mut convex = Convex::default();
         for node in members {
@@ -32,15 +34,19 @@ impl Convex {
             match leaf.prim {
                 Prim::Plane(plane) if !leaf.inverted => convex.planes.push(plane),
                 Prim::Sphere { sphere, .. } if !leaf.inverted => convex.spheres.push(sphere),
+                _ if !leaf.inverted && leaves.shape(index).is_some_and(ShapeKind::has_stretch) => {
+                    convex.bodies.push(index);
+                }
                 _ => {}
             }
         }
-        (!convex.planes.is_empty() || !convex.spheres.is_empty()).then_some(convex)
+        let Convex { planes, spheres, bodies } = &convex;
+        (!(planes.is_empty() && spheres.is_empty() && bodies.is_empty())).then_some(convex)
     }
 
     /// The part of a range in which the ray can be inside all of them, and a little more; `None` where it nowhere is.
     #[inline]
-    pub(crate) fn span(&self, ray: &Ray, range: (f64, f64)) -> Option<(f64, f64)> {
+    pub(crate) fn span(&self, leaves: &Leaves, ray: &Ray, range: (f64, f64)) -> Option<(f64, f64)> {
         let (mut enter, mut leave) = range;
         for plane in &self.planes {
             let (slope, depth) = plane.approach(ray);
@@ -54,6 +60,11 @@ impl Convex {
             let (a, b) = sphere.chord(ray)?;
             (enter, leave) = (enter.max(a), leave.min(b));
         }
+        for &body in &self.bodies {
+            if let Some(stretch) = leaves.stretch(body, ray).filter(|stretch| !stretch.beyond) {
+                (enter, leave) = (enter.max(stretch.enter), leave.min(stretch.leave));
+            }
+        }
         let margin = |t: f64| MARGIN * (1.0 + t.abs());
         let (from, to) = (enter - margin(enter), leave + margin(leave));
         (from <= to).then_some((from.max(range.0), to.min(range.1)))
@@ -66,7 +77,7 @@ impl Convex {
             let n = transform::normal_by_inverse(&there_from_here.inverse(), normal).normalize_or(normal);
             Plane::new(n, n.dot(there_from_here.transform_point3(normal * distance)))
         };
-        Convex { planes: self.planes.iter().map(moved).collect(), spheres: Vec::new() }
+        Convex { planes: self.planes.iter().map(moved).collect(), ..Convex::default() }
     }
 
     /// A box around what the planes leave of a box.
@@ -125,7 +136,7 @@ mod tests {
 
     fn convex(sides: &[(f64, f64, f64, f64)]) -> Convex {
         let plane = |&(x, y, z, d): &(f64, f64, f64, f64)| Plane::new(Vec3::new(x, y, z).normalize(), d);
-        Convex { planes: sides.iter().map(plane).collect(), spheres: Vec::new() }
+        Convex { planes: sides.iter().map(plane).collect(), ..Convex::default() }
     }
 
     #[test]
@@ -148,12 +159,13 @@ mod tests {
     #[test]
     fn spans_end_where_planes_and_spheres_do() {
         let mut both = convex(&[(0.0, 1.0, 0.0, 0.5)]);
+        let leaves = Leaves::default();
         both.spheres.push(Sphere::new(Vec3::ZERO, 1.0));
         let up = Ray::new(Vec3::new(0.0, -3.0, 0.0), Vec3::Y);
-        let (from, to) = both.span(&up, (0.0, 10.0)).unwrap();
+        let (from, to) = both.span(&leaves, &up, (0.0, 10.0)).unwrap();
         assert!((from - 2.0).abs() < 1e-5 && (to - 3.5).abs() < 1e-5);
-        assert!(both.span(&Ray::new(Vec3::new(2.0, -3.0, 0.0), Vec3::Y), (0.0, 10.0)).is_none());
-        assert!(both.span(&Ray::new(Vec3::new(0.0, 3.0, 0.0), Vec3::Y), (0.0, 10.0)).is_none());
-        assert!(both.span(&up, (4.0, 10.0)).is_none());
+        assert!(both.span(&leaves, &Ray::new(Vec3::new(2.0, -3.0, 0.0), Vec3::Y), (0.0, 10.0)).is_none());
+        assert!(both.span(&leaves, &Ray::new(Vec3::new(0.0, 3.0, 0.0), Vec3::Y), (0.0, 10.0)).is_none());
+        assert!(both.span(&leaves, &up, (4.0, 10.0)).is_none());
     }
 }

@@ -6,7 +6,7 @@ use raggio_scene::{Csg, Light, Object, ObjectKind, Placed, Shape};
 use rustc_hash::FxHashMap;
 
 use crate::convex::Convex;
-use crate::index::{Decider, indices};
+use crate::index::{Decider, indices, padded};
 use crate::inherit::{Context, OUTERMOST_ONLY, all_shadowless, effective};
 use crate::leaf::{Leaf, Leaves};
 use crate::materials::Materials;
@@ -22,6 +22,8 @@ pub(crate) struct Flat {
     pub(crate) groups: Vec<Group>,
     /// The outermost union.
     pub(crate) world: Group,
+    /// Members of it whose inside reaches beyond their boxes, and these.
+    pub(crate) overreaching: Vec<(u32, Aabb)>,
     pub(crate) bounds: Aabb,
     pub(crate) materials: Materials,
     pub(crate) lights: Vec<PlacedLight>,
@@ -71,11 +73,18 @@ pub(crate) fn flatten(objects: &[Arc<Object>], keep_all_bounds: bool) -> Result<
     }
     let bounds =
         members.iter().filter(|m| m.surface.is_finite()).fold(Aabb::EMPTY, |all, m| all.union(&m.surface));
+    let overreaching = members.iter().enumerate().filter(|(_, m)| overreaches(m));
+    let overreaching = overreaching.map(|(i, m)| (i as u32, padded(&m.surface))).collect();
     let mut world = group(Op::Union, &members, &walk.leaves, Vec::new(), Vec::new());
     // Among top-level objects, what POV-Ray shows depends on how its tree of boxes came out.
     world.ranked = false;
     let Walk { leaves, groups, materials, lights, parts, .. } = walk;
-    Ok(Flat { leaves, groups, world, bounds, materials, lights, parts })
+    Ok(Flat { leaves, groups, world, overreaching, bounds, materials, lights, parts })
+}
+
+/// Does its inside reach beyond its box, as that of a height field, of a disc, or of what is turned inside out?
+fn overreaches(built: &Built) -> bool {
+    built.surface.is_finite() && built.surface.union(&built.inside) != built.surface
 }
 
 impl Walk {

@@ -4,6 +4,7 @@
 //! once, for the winner. Deliberately absent: colours, lights' effects, cameras.
 
 mod convex;
+mod extent;
 mod flatten;
 mod index;
 mod inherit;
@@ -20,6 +21,7 @@ mod texturing;
 mod tree;
 mod world;
 
+pub use extent::extent;
 pub use screen::{Lanes, RAYS, Screen, Verdict};
 pub use shaft::{Shaft, Standing};
 pub use surface::{LocalHit, Surface};

@@ -128,10 +128,10 @@ const NOBODY: u32 = u32::MAX;
 impl Group {
     /// The part of a range in which a ray may hit it, as far as its convex part tells.
     #[inline(always)]
-    fn span(&self, ray: &Ray, range: (f64, f64)) -> Option<(f64, f64)> {
+    fn span(&self, leaves: &Leaves, ray: &Ray, range: (f64, f64)) -> Option<(f64, f64)> {
         match &self.convex {
             None => Some(range),
-            Some(convex) => convex.span(ray, range),
+            Some(convex) => convex.span(leaves, ray, range),
         }
     }
 
@@ -175,11 +175,11 @@ impl Tree {
         {
             return found;
         }
+        let range = group.span(&self.leaves, &probe.ray, range)?;
         if !self.within_bounds(group, probe, scratch) {
             return None;
         }
         let all_count = group.all_count();
-        let range = group.span(&probe.ray, range)?;
         let mut best: Option<Hit> = None;
         group.surfaces.closest(probe, range, |index, far, within| {
             let member = &group.members[index as usize];
@@ -261,11 +261,11 @@ impl Tree {
             }
             hits.truncate(start);
         }
+        let Some(range) = group.span(&self.leaves, &probe.ray, range) else { return };
         if !self.within_bounds(group, probe, scratch) {
             return;
         }
         let all_count = group.all_count();
-        let Some(range) = group.span(&probe.ray, range) else { return };
         group.surfaces.all(probe, range, |index| {
             let member = &group.members[index as usize];
             if member.skip & class != 0 {
@@ -307,11 +307,22 @@ impl Tree {
     }
 
     pub(crate) fn group_inside(&self, group: &Group, p: Vec3) -> bool {
-        self.within_clips(group, p)
-            && match group.op {
-                Op::Union | Op::Merge => self.any_contains(group, p, NOBODY),
-                Op::Intersection => !self.any_lacks(group, p, NOBODY),
-            }
+        self.within_clips(group, p) && self.unclipped_inside(group, p)
+    }
+
+    /// Is the point inside the node, if that had no clips of its own?
+    pub(crate) fn inside_unclipped(&self, node: NodeRef, p: Vec3) -> bool {
+        match node.node() {
+            Node::Leaf(leaf) => self.leaves.inside(leaf, p),
+            Node::Group(group) => self.unclipped_inside(&self.groups[group as usize], p),
+        }
+    }
+
+    fn unclipped_inside(&self, group: &Group, p: Vec3) -> bool {
+        match group.op {
+            Op::Union | Op::Merge => self.any_contains(group, p, NOBODY),
+            Op::Intersection => !self.any_lacks(group, p, NOBODY),
+        }
     }
 
     fn any_contains(&self, group: &Group, p: Vec3, except: u32) -> bool {

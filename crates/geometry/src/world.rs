@@ -182,6 +182,8 @@ pub struct Geometry {
     pub(crate) tree: Tree,
     /// The outermost union.
     pub(crate) world: Group,
+    /// Top-level members that contain points outside their boxes, sorted, with these.
+    overreaching: Vec<(u32, Aabb)>,
     bounds: Aabb,
     parts: Parts,
 }
@@ -205,7 +207,7 @@ impl Geometry {
     }
 
     fn new(flat: Flat) -> Self {
-        let Flat { leaves, groups, world, bounds, materials, lights, parts } = flat;
+        let Flat { leaves, groups, world, overreaching, bounds, materials, lights, parts } = flat;
         Geometry {
             materials: materials.materials,
             textures: materials.textures,
@@ -214,6 +216,7 @@ impl Geometry {
             asks_uv: true,
             tree: Tree { leaves, groups },
             world,
+            overreaching,
             bounds,
             parts,
         }
@@ -357,13 +360,18 @@ impl Geometry {
     }
 
     /// The interiors of all objects that contain the point, in the order of the scene (the start of a ray's list).
+    /// Outside the box of an object nothing counts, and its clips do not.
     pub fn interiors_at(&self, p: Vec3) -> SmallVec<[InteriorId; 8]> {
         let mut around: SmallVec<[u32; 8]> = SmallVec::new();
         self.world.deciders.any(p, |m, known| {
-            if known.unwrap_or_else(|| self.tree.inside(self.world.members[m as usize].node, p)) {
+            if known.unwrap_or_else(|| self.tree.inside_unclipped(self.world.members[m as usize].node, p)) {
                 around.push(m);
             }
             false
+        });
+        around.retain(|m| match self.overreaching.binary_search_by_key(m, |&(member, _)| member) {
+            Ok(at) => self.overreaching[at].1.contains(p),
+            Err(_) => true,
         });
         around.sort_unstable();
         let mut found = SmallVec::new();

@@ -151,24 +151,44 @@ pub fn roots_in_unit<const N: usize>(c: &[f64; N], at_zero: f64, at_one: f64) ->
 #[inline]
 pub fn bernstein_roots<const N: usize>(b: &[f64; N]) -> Roots<N> {
     let mut roots = Roots::NONE;
+    visit_bernstein_roots(b, |x| {
+        roots.push(x);
+        true
+    });
+    roots
+}
+
+/// Calls `visit` with the [`bernstein_roots`], the least first, for as long as it answers true.
+#[inline]
+pub fn visit_bernstein_roots<const N: usize>(b: &[f64; N], mut visit: impl FnMut(f64) -> bool) {
     let changes = changes(b);
     if changes == 0 || !b.iter().all(|x| x.is_finite()) {
-        return roots;
+        return;
     }
     let c = power_from_bernstein(b);
     let (lo, hi) = ((0.0, b[0]), (1.0, b[N - 1]));
     if changes == 1 && N <= UNROLLED {
-        roots.push(refine(&c, lo, hi, guess(lo, hi, false, false), ROOT_STEP));
-        return roots;
+        visit(refine(&c, lo, hi, guess(lo, hi, false, false), ROOT_STEP));
+        return;
     }
     let n = degree(&c);
     if n > 0 && c.iter().all(|x| x.is_finite()) {
-        chain(&c, n, lo, hi, |x| {
-            roots.push(x);
-            true
-        });
+        chain(&c, n, lo, hi, visit);
     }
-    roots
+}
+
+/// The Bernstein coefficients over `0..=1` of the cubic with these values at 0, 1/3, 2/3 and 1.
+#[inline]
+pub fn bernstein_cubic_through([a, b, c, d]: [f64; 4]) -> [f64; 4] {
+    [a, (-5.0 * a + 18.0 * b - 9.0 * c + 2.0 * d) / 6.0, (2.0 * a - 9.0 * b + 18.0 * c - 5.0 * d) / 6.0, d]
+}
+
+/// The Bernstein coefficients over `0..=1` of the quartic with these values at 0, 1/4, 1/2, 3/4 and 1.
+#[inline]
+pub fn bernstein_quartic_through([a, b, c, d, e]: [f64; 5]) -> [f64; 5] {
+    let second = |a, b, c, d, e| (-13.0 * a + 48.0 * b - 36.0 * c + 16.0 * d - 3.0 * e) / 12.0;
+    let middle = (13.0 * (a + e) - 64.0 * (b + d) + 120.0 * c) / 18.0;
+    [a, second(a, b, c, d, e), middle, second(e, d, c, b, a), e]
 }
 
 /// Makes Bernstein coefficients over `0..=1` those over `s..=1` (de Casteljau).
@@ -528,6 +548,19 @@ mod tests {
             let on_whole = eval(&power_from_bernstein(&whole), 0.25 + 0.75 * x);
             assert!((eval(&power_from_bernstein(&rest), x) - on_whole).abs() < 1e-14);
         }
+    }
+
+    #[test]
+    fn values_at_even_steps_make_the_curve() {
+        let close = |a: &[f64], b: &[f64]| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-14);
+        let cubic = [1.0, -2.0, 0.5, 3.0];
+        let c = power_from_bernstein(&cubic);
+        let values = std::array::from_fn(|k| eval(&c, k as f64 / 3.0));
+        assert!(close(&bernstein_cubic_through(values), &cubic));
+        let quartic = [1.0, -2.0, 0.5, 3.0, -1.0];
+        let c = power_from_bernstein(&quartic);
+        let values = std::array::from_fn(|k| eval(&c, k as f64 / 4.0));
+        assert!(close(&bernstein_quartic_through(values), &quartic));
     }
 
     #[test]

@@ -55,7 +55,7 @@ impl Engine for LiveEngine {
     }
 
     fn bounds(&self, object: &Arc<Object>) -> Aabb {
-        self.geometry(object).map_or(Aabb::INFINITE, |geometry| geometry.bounds())
+        raggio_geometry::extent(object)
     }
 
     fn pigment_function(&self, pigment: Arc<Pigment>, settings: &Settings) -> Arc<dyn External> {

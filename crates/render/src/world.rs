@@ -115,7 +115,7 @@ impl World {
         Ok(World {
             light_sets: LightSets::new(&geometry),
             radiosity: radiosity_rules(scene, &geometry),
-            photons: photons::Plan::new(scene)?,
+            photons: photons::Plan::new(scene),
             subsurface: subsurface::Rules::new(&scene.settings),
             camera: Camera::build(&scene.camera, rules.noise, &geometry)?,
             sky: Sky::new(scene, rules.noise),

@@ -27,6 +27,42 @@ impl Kw {
     pub fn word(self) -> &'static str {
         Self::WORDS[self as usize]
     }
+
+    /// Does it make a directive after `#`?
+    pub(crate) fn is_directive(self) -> bool {
+        use Kw::*;
+        matches!(
+            self,
+            Break
+                | Case
+                | Debug
+                | Declare
+                | Default
+                | Else
+                | Elseif
+                | End
+                | Error
+                | Fclose
+                | Fopen
+                | For
+                | If
+                | Ifdef
+                | Ifndef
+                | Include
+                | Local
+                | Macro
+                | Range
+                | Read
+                | Render
+                | Statistics
+                | Switch
+                | Undef
+                | Version
+                | Warning
+                | While
+                | Write
+        )
+    }
 }
 
 const fn lowered<const N: usize>(name: &str) -> [u8; N] {

@@ -40,6 +40,8 @@ fn conditionals_stand_anywhere() {
     fails("#else", "unexpected-directive");
     fails("#if(x) #end", "wrong-size");
     fails("#foo", "unknown-directive");
+    says("#declare P = 3; Say(# P) # Say(#-4) #", "3 -4");
+    says("# # Say(# 5)", "5");
 }
 
 #[test]

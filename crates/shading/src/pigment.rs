@@ -9,6 +9,7 @@ use raggio_scene::{self as scene, PatternKind, PigmentKind};
 use crate::compiler::Compiler;
 use crate::image::Image;
 use crate::map::{Blend, Map};
+use crate::pattern::each;
 use crate::warp::WarpList;
 use crate::{Context, Noise, Pattern};
 
@@ -192,20 +193,20 @@ impl Pigment {
     pub(crate) fn sample4(&self, points: &[Vec3; 4], context: &Context) -> [(Color, bool); 4] {
         match &self.kind {
             Kind::Colors { pattern, map } => {
-                pattern.eval4(points, context).map(|value| (color_at(map, value), true))
+                each(&pattern.eval4(points, context), |&value| (color_at(map, value), true))
             }
             Kind::Pigments { pattern, map } => {
-                let points = points.map(|p| pattern.warp(p));
-                let blends = pattern.eval_warped4(&points, context).map(|value| map.at(value));
+                let points = each(points, |&p| pattern.warp(p));
+                let blends = each(&pattern.eval_warped4(&points, context), |&value| map.at(value));
                 match common(&blends) {
                     Some((low, high, t)) => {
                         let (low, high) = (low.sample4(&points, context), high.sample4(&points, context));
-                        std::array::from_fn(|i| mix(low[i], high[i], t[i]))
+                        each(&[0, 1, 2, 3], |&i| mix(low[i], high[i], t[i]))
                     }
-                    None => std::array::from_fn(|i| pigment_at(&blends[i], points[i], context)),
+                    None => each(&[0, 1, 2, 3], |&i| pigment_at(&blends[i], points[i], context)),
                 }
             }
-            _ => points.map(|p| self.sample(p, context)),
+            _ => each(points, |&p| self.sample(p, context)),
         }
     }
 

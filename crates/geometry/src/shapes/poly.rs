@@ -20,6 +20,30 @@ pub(crate) struct Poly {
 struct Term {
     factor: f64,
     exponents: [i32; 3],
+    /// The next has another exponent of x or y.
+    last_in_z: bool,
+}
+
+/// Values on a ray up to this size are exact enough to make the polynomial of them: their rounding is far below what
+/// counts as zero.
+const MODEST: f64 = 1e5;
+
+/// Values at some points at once.
+type Row<const L: usize> = [f64; L];
+
+/// Powers from 0 to 4 of numbers.
+type Powers<const L: usize> = [Row<L>; 5];
+
+/// The powers of numbers that stand in the second row.
+#[inline(always)]
+fn fill_powers<const L: usize>(x: &mut Powers<L>) {
+    let [zero, one, two, three, four] = x;
+    *zero = [1.0; L];
+    for l in 0..L {
+        two[l] = one[l] * one[l];
+        three[l] = two[l] * one[l];
+        four[l] = two[l] * two[l];
+    }
 }
 
 /// Terms still to be taken, in their order.
@@ -84,22 +108,82 @@ impl Poly {
                 for k in (0..=degree - i - j).rev() {
                     let factor = next.next().copied().unwrap_or(0.0);
                     if factor != 0.0 {
-                        terms.push(Term { factor, exponents: [i as i32, j as i32, k as i32] });
+                        let exponents = [i as i32, j as i32, k as i32];
+                        terms.push(Term { factor, exponents, last_in_z: true });
                     }
                 }
             }
+        }
+        for k in 1..terms.len() {
+            terms[k - 1].last_in_z = terms[k - 1].exponents[..2] != terms[k].exponents[..2];
         }
         Poly { degree, terms }
     }
 
     fn search(&self, ray: &Ray, to: &mut impl Collect) {
         match self.degree {
+            ..=4 if self.search_stretch(ray, to) => {}
             ..=2 => self.search_sized::<3>(ray, to),
             3 => self.search_sized::<4>(ray, to),
             4 => self.search_sized::<5>(ray, to),
             5..=8 => self.search_sized::<9>(ray, to),
             _ => self.search_sized::<36>(ray, to),
         }
+    }
+
+    /// Degrees up to 4 on a stretch of the ray, from values at a few places; answers whether that is exact enough.
+    fn search_stretch(&self, ray: &Ray, to: &mut impl Collect) -> bool {
+        let (lo, hi) = to.range();
+        let width = hi - lo;
+        if !width.is_finite() || lo >= hi {
+            return false;
+        }
+        let modest = |row: &[f64]| row.iter().all(|v| v.abs() < MODEST);
+        let visit = |s: f64| to.take(LocalHit::at(lo + s * width));
+        if self.degree <= 3 {
+            let values = self.values::<4>(&ray.at(lo), ray.dir * (width / 3.0));
+            let found = modest(&values);
+            if found {
+                poly::visit_bernstein_roots(&poly::bernstein_cubic_through(values), visit);
+            }
+            return found;
+        }
+        // The sixth, which lies beyond the end, only makes an even number.
+        let [a, b, c, d, e, _] = self.values::<6>(&ray.at(lo), ray.dir * (width / 4.0));
+        let values = [a, b, c, d, e];
+        let found = modest(&values);
+        if found {
+            poly::visit_bernstein_roots(&poly::bernstein_quartic_through(values), visit);
+        }
+        found
+    }
+
+    /// The values of a polynomial of degree up to 4 at points in a row.
+    #[inline(always)]
+    fn values<const L: usize>(&self, start: &Vec3, step: Vec3) -> Row<L> {
+        let (mut x, mut y, mut z) = ([[0.0; L]; 5], [[0.0; L]; 5], [[0.0; L]; 5]);
+        for l in 0..L {
+            let p = *start + step * l as f64;
+            (x[1][l], y[1][l], z[1][l]) = (p.x, p.y, p.z);
+        }
+        fill_powers(&mut x);
+        fill_powers(&mut y);
+        fill_powers(&mut z);
+        let (mut sum, mut in_z) = ([0.0; L], [0.0; L]);
+        for term in &self.terms {
+            let [i, j, k] = term.exponents;
+            let (x, y, z) = (&x[i as usize], &y[j as usize], &z[k as usize]);
+            for l in 0..L {
+                in_z[l] += term.factor * z[l];
+            }
+            if term.last_in_z {
+                for l in 0..L {
+                    sum[l] += x[l] * y[l] * in_z[l];
+                }
+                in_z = [0.0; L];
+            }
+        }
+        sum
     }
 
     fn search_sized<const N: usize>(&self, ray: &Ray, to: &mut impl Collect) {

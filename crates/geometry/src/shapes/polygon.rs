@@ -2,7 +2,6 @@
 use raggio_math::{Aabb, EPS, Ray, Vec2, Vec3};
 
 use super::beyond;
-use super::plane_tree::PlaneTree;
 use crate::{LocalHit, Surface};
 
 /// The least distance a polygon reports.
@@ -19,8 +18,67 @@ pub(crate) struct Polygon {
     normal: Vec3,
     /// Edges of all loops in the plane's coordinates.
     edges: Vec<(Vec2, Vec2)>,
-    tree: PlaneTree,
+    rows: Rows,
     bounds: Aabb,
+}
+
+/// The most rows into which edges are sorted.
+const MOST_ROWS: usize = 256;
+
+/// Edges sorted by the rows of y in which they lie.
+#[derive(Default)]
+struct Rows {
+    low: f64,
+    /// Rows per length.
+    scale: f64,
+    /// Where the edges of each row begin, and where those of the last end.
+    starts: Vec<u32>,
+    edges: Vec<Edge>,
+}
+
+#[derive(Clone, Copy)]
+struct Edge {
+    from: Vec2,
+    to_y: f64,
+    /// What x grows by for each y.
+    lean: f64,
+}
+
+impl Rows {
+    fn new(edges: &[(Vec2, Vec2)]) -> Self {
+        let count = edges.len().min(MOST_ROWS);
+        let ends = || edges.iter().map(|(a, _)| a.y);
+        let (low, high) = (ends().fold(f64::INFINITY, f64::min), ends().fold(f64::NEG_INFINITY, f64::max));
+        let mut rows = Rows { low, scale: count as f64 / (high - low), ..Rows::default() };
+        // The row of a point is found by the same sum, so that rounding finds the same row.
+        let span = |&(a, b): &(Vec2, Vec2)| (rows.row(a.y.min(b.y)), rows.row(a.y.max(b.y)));
+        let spans: Vec<_> = edges.iter().map(span).collect();
+        for row in 0..count as u32 {
+            rows.starts.push(rows.edges.len() as u32);
+            for (&(a, b), _) in edges.iter().zip(&spans).filter(|(_, s)| s.0 <= row && row <= s.1) {
+                rows.edges.push(Edge { from: a, to_y: b.y, lean: (b.x - a.x) / (b.y - a.y) });
+            }
+        }
+        rows.starts.push(rows.edges.len() as u32);
+        rows
+    }
+
+    /// Beyond the ends it is a row that is not there, or one whose edges all lie on the other side.
+    #[inline]
+    fn row(&self, y: f64) -> u32 {
+        ((y - self.low) * self.scale) as u32
+    }
+
+    /// The edges that may be at a height.
+    #[inline]
+    fn at(&self, y: f64) -> &[Edge] {
+        // The topmost corner is at the end of the last row.
+        let row = (self.row(y) as usize).min(self.starts.len().saturating_sub(2));
+        match self.starts[row..] {
+            [from, to, ..] => &self.edges[from as usize..to as usize],
+            _ => &[],
+        }
+    }
 }
 
 impl Polygon {
@@ -33,7 +91,7 @@ impl Polygon {
             y: Vec3::Y,
             normal: Vec3::Z,
             edges: Vec::new(),
-            tree: PlaneTree::new(&[]),
+            rows: Rows::default(),
             bounds: Aabb::EMPTY,
         };
         let Some((origin, x, normal)) = frame(&points) else {
@@ -49,22 +107,15 @@ impl Polygon {
             .flat_map(|l| l.iter().zip(l.iter().cycle().skip(1)).map(|(a, b)| (flat(a), flat(b))))
             .filter(|(a, b)| a != b)
             .collect();
-        let boxes: Vec<_> = edges.iter().map(|&(a, b): &(Vec2, Vec2)| (a.min(b), a.max(b))).collect();
-        let tree = PlaneTree::new(&boxes);
-        Polygon { origin, x, y, normal, edges, tree, bounds: Aabb::around(points) }
+        let rows = Rows::new(&edges);
+        Polygon { origin, x, y, normal, edges, rows, bounds: Aabb::around(points) }
     }
 
     fn contains(&self, p: Vec2) -> bool {
         let mut odd = false;
-        self.tree.visit(
-            |node| node.max.x < p.x || node.min.y > p.y || node.max.y < p.y,
-            |i, _| {
-                let (a, b) = self.edges[i];
-                if (a.y >= p.y) != (b.y >= p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x) {
-                    odd = !odd;
-                }
-            },
-        );
+        for &Edge { from, to_y, lean } in self.rows.at(p.y) {
+            odd ^= (from.y >= p.y) != (to_y >= p.y) && p.x < from.x + (p.y - from.y) * lean;
+        }
         odd
     }
 }
@@ -115,5 +166,31 @@ impl Surface for Polygon {
 
     fn normal(&self, _: Vec3, _: &LocalHit) -> Vec3 {
         self.normal
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_hold_all_edges_that_are_crossed() {
+        let corner = |k: i32| {
+            let at = Vec2::from_angle(f64::from(k) * std::f64::consts::TAU / 30.0);
+            (at * if k % 2 == 0 { 0.6 } else { 1.1 }).extend(0.0)
+        };
+        let hole = |k: i32| (Vec2::from_angle(f64::from(k)) * 0.2).extend(0.0);
+        let star = Polygon::new(&[(0..30).map(corner).collect(), (0..6).map(hole).collect()]);
+        let corners = star.edges.iter().map(|(a, _)| *a);
+        let lattice = (0..40_000).map(|k| Vec2::new(f64::from(k % 200), f64::from(k / 200)));
+        let mut inside = 0;
+        for p in corners.chain(lattice.map(|p| p / 80.0 - Vec2::new(2.3, 1.3))) {
+            let crossed = star.edges.iter().filter(|(a, b)| {
+                (a.y >= p.y) != (b.y >= p.y) && p.x < a.x + (p.y - a.y) * ((b.x - a.x) / (b.y - a.y))
+            });
+            assert_eq!(star.contains(p), crossed.count() % 2 == 1, "{p}");
+            inside += u32::from(star.contains(p));
+        }
+        assert!((9_000..20_000).contains(&inside), "{inside}");
     }
 }

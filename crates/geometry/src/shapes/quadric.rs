@@ -89,7 +89,9 @@ impl Quadric {
     #[inline]
     pub(crate) fn stretch(&self, ray: &Ray) -> Stretch {
         let a = self.slope(ray.dir).dot(ray.dir);
-        let Some((s, t)) = self.roots(ray).filter(|(s, t)| !(s.is_nan() || t.is_nan())) else {
+        // The ray that stays as deep as it is has no end that is a number.
+        let is_place = |t: f64| !t.is_nan() && (a != 0.0 || t.is_finite());
+        let Some((s, t)) = self.roots(ray).filter(|&(s, t)| is_place(s) && is_place(t)) else {
             return if self.value(ray.origin) <= 0.0 { Stretch::EVERYWHERE } else { Stretch::NOWHERE };
         };
         if a == 0.0 {
@@ -199,6 +201,15 @@ impl Surface for Quadric {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_ray_along_a_pipe_stays_in_it_or_out_of_it() {
+        let pipe = Quadric::new(&[1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0]);
+        let within = pipe.stretch(&Ray::new(Vec3::new(0.3, 0.2, -5.0), Vec3::Z));
+        assert!(within.beyond && within.enter > within.leave, "{within:?}");
+        let without = pipe.stretch(&Ray::new(Vec3::new(1.3, 0.2, -5.0), Vec3::Z));
+        assert!(!without.beyond && without.enter > without.leave, "{without:?}");
+    }
 
     #[test]
     fn a_hyperboloid_between_two_heights_has_a_box() {

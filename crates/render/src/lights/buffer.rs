@@ -19,13 +19,17 @@ const CHILDREN: usize = 1 << (2 * BRANCHING);
 const FINEST: usize = FIRST << (BRANCHING * (LEVELS - 1));
 /// Cells are this much larger than their share, for rounding.
 const MARGIN: f64 = 1e-6;
-/// Where cells begin and end, in distances along the axis of a face. Nothing nearer than the shadow tolerance, which
-/// is longer than this in every direction, casts a shadow; nothing is farther away than rays go.
-const RANGE: (f64, f64) = (5e-4, 4e7);
+/// Where cells begin, in distances along the axis of a face. Nothing nearer than the shadow tolerance, which is longer
+/// than this in every direction, casts a shadow.
+const START: f64 = 5e-4;
+/// Where they end, if the light stands at the origin: about as far as rays go.
+const REACH: f64 = 4e7;
 
 /// The directions around a point light.
 pub struct LightBuffer {
     light: Vec3,
+    /// Points farther away than this may lie beyond the cells' ends.
+    reach: f64,
     /// The cells of the first level.
     cells: Box<[OnceLock<Cell>]>,
 }
@@ -82,11 +86,15 @@ impl Place {
 impl LightBuffer {
     /// An empty buffer around a light.
     pub fn new(light: Vec3) -> Self {
-        LightBuffer { light, cells: (0..6 * FIRST * FIRST).map(|_| OnceLock::new()).collect() }
+        let cells = (0..6 * FIRST * FIRST).map(|_| OnceLock::new()).collect();
+        LightBuffer { light, reach: REACH + light.length(), cells }
     }
 
-    /// What may stand between the light and points in a direction from it.
-    pub fn towards(&self, direction: Vec3, geometry: &Geometry) -> &Standing {
+    /// What may stand between the light and a point at a distance in a direction from it.
+    pub fn towards(&self, direction: Vec3, distance: f64, geometry: &Geometry) -> &Standing {
+        if distance > self.reach {
+            return &Standing::Anything;
+        }
         let place = Place::new(direction);
         let (column, row) = place.at(0);
         let first = &self.cells[(place.face * FIRST + row) * FIRST + column];
@@ -103,7 +111,7 @@ impl LightBuffer {
         let (column, row) = place.at(level);
         let side = FIRST << (BRANCHING * level);
         let at = |distance: f64| corners(self.light, (place.face, column, row), side, distance);
-        let shaft = Shaft::between(self.light, at(RANGE.0), at(RANGE.1));
+        let shaft = Shaft::between(self.light, at(START), at(self.reach));
         let standing = geometry.standing_in(&shaft, RayClass::Shadow);
         let split = level + 1 < LEVELS && !standing.is_little();
         let children = split.then(|| Box::new(std::array::from_fn(|_| OnceLock::new())));
@@ -135,6 +143,13 @@ mod tests {
 
     #[test]
     fn every_blocker_is_in_the_cell_of_its_direction() {
+        compare_with_all(Vec3::new(0.3, 6.0, -0.2), 200);
+        // As far away as the sun from a planet in kilometres.
+        compare_with_all(Vec3::new(0.3e9, 1.4e9, -0.2e9), 100);
+    }
+
+    /// Blockers found with a buffer around a light and without; at least so many points shall have one.
+    fn compare_with_all(light: Vec3, least: usize) {
         let mut children = Vec::new();
         let place = |i: usize| (Vec3::new(7.0, 5.0, 3.0) * (i as f64 * 0.61)).map(|x| x.sin() * 4.0);
         for i in 0..40 {
@@ -143,7 +158,6 @@ mod tests {
         }
         let all = Object::new(ObjectKind::Csg { op: Csg::Union, children: Arc::new(children) });
         let geometry = Geometry::of_object(&Arc::new(all)).unwrap();
-        let light = Vec3::new(0.3, 6.0, -0.2);
         let buffer = LightBuffer::new(light);
         let mut blocked = 0;
         for i in 0..3000 {
@@ -163,9 +177,9 @@ mod tests {
                 hit.map(|hit| hit.t)
             };
             let expected = ask(&Standing::Anything);
-            assert_eq!(ask(buffer.towards(-ray.dir, &geometry)), expected, "{p}");
+            assert_eq!(ask(buffer.towards(-ray.dir, way.length(), &geometry)), expected, "{p}");
             blocked += usize::from(expected.is_some());
         }
-        assert!(blocked > 200 && blocked < 2800, "{blocked}");
+        assert!(blocked > least && blocked < 2800, "{blocked}");
     }
 }

@@ -93,7 +93,7 @@ impl LightSource {
     #[inline]
     pub fn before(&self, path: &Path, geometry: &Geometry) -> &Standing {
         match &self.buffer {
-            Some(buffer) if !geometry.is_small() => buffer.towards(-path.dir, geometry),
+            Some(buffer) if !geometry.is_small() => buffer.towards(-path.dir, path.distance, geometry),
             _ => &Standing::Anything,
         }
     }

@@ -11,7 +11,7 @@ mod travel;
 
 use std::sync::Arc;
 
-use raggio_geometry::{BuildError, Geometry, Hit, Material};
+use raggio_geometry::{Hit, Material};
 use raggio_image::Rgb;
 use raggio_math::{Aabb, Affine, Ray, Vec3};
 use raggio_scene::{self as scene, Object, ObjectKind, PhotonFlags, Scene};
@@ -35,46 +35,37 @@ struct Target {
     object: u32,
 }
 
+/// The box of what has none: photons are aimed at it all the same, but so far apart that hardly any is.
+const UNBOUNDED: Aabb = Aabb { min: Vec3::splat(-1e10), max: Vec3::splat(1e10) };
+
 impl Plan {
     /// Looks for a scene's targets; `None` where there are none or photons are off.
-    ///
-    /// # Errors
-    /// If a target cannot be built.
-    pub fn new(scene: &Scene) -> Result<Option<Plan>, BuildError> {
-        let Some(settings) = scene.settings.photons.as_ref().filter(|p| p.gather_max > 0) else {
-            return Ok(None);
-        };
+    pub fn new(scene: &Scene) -> Option<Plan> {
+        let settings = scene.settings.photons.as_ref().filter(|p| p.gather_max > 0)?;
         let mut targets = Vec::new();
         for (i, object) in scene.objects.iter().enumerate() {
-            find_targets(object, &Affine::IDENTITY, i as u32, &mut targets)?;
+            find_targets(object, &Affine::IDENTITY, i as u32, &mut targets);
         }
-        Ok((!targets.is_empty()).then(|| Plan { settings: settings.clone(), targets }))
+        (!targets.is_empty()).then(|| Plan { settings: settings.clone(), targets })
     }
 }
 
 /// A flagged object is a target as a whole; others may have targets among their parts.
-fn find_targets(
-    object: &Arc<Object>,
-    world_from_parent: &Affine,
-    top: u32,
-    targets: &mut Vec<Target>,
-) -> Result<(), BuildError> {
+fn find_targets(object: &Arc<Object>, world_from_parent: &Affine, top: u32, targets: &mut Vec<Target>) {
     if object.photons.target.is_some() {
         let mut placed = (**object).clone();
         placed.transform(world_from_parent);
-        let bounds = Geometry::of_object(&Arc::new(placed))?.bounds();
-        if bounds.is_finite() && !bounds.is_empty() {
-            targets.push(Target { flags: object.photons, bounds, object: top });
-        }
-        return Ok(());
+        let bounds = raggio_geometry::extent(&placed).intersection(&UNBOUNDED);
+        targets.push(Target { flags: object.photons, bounds, object: top });
+        return;
     }
     let world_from_object = *world_from_parent * object.parent_from_object;
     let children = match &object.kind {
         ObjectKind::Csg { children, .. } => children,
         ObjectKind::LightGroup { children, global_lights: true } => children,
-        _ => return Ok(()),
+        _ => return,
     };
-    children.iter().try_for_each(|child| find_targets(child, &world_from_object, top, targets))
+    children.iter().for_each(|child| find_targets(child, &world_from_object, top, targets));
 }
 
 impl Target {

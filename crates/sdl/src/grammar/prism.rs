@@ -95,22 +95,22 @@ fn linear_loops(points: &[Vec2]) -> (Vec<Curve2>, bool) {
     (curves, closed)
 }
 
-/// Loops of a lead-in point, the points from the first back to the first, and `lead_out` points that only steer.
+/// Loops of a lead-in point, the points from the first back to the first, and `lead_out` points that only steer. What is
+/// left after the last such loop is nothing.
 fn led_loops(kind: SplineKind, points: &[Vec2], lead_out: usize) -> (Vec<Curve2>, bool) {
     let (mut curves, mut rest) = (Vec::new(), points);
     while rest.len() > 1 {
         let first = rest[1];
-        let Some(length) = rest[2..].iter().position(|&point| same(point, first)) else {
-            return (curves, false);
-        };
+        let Some(length) = rest[2..].iter().position(|&point| same(point, first)) else { break };
         let end = length + 3 + lead_out;
         if end > rest.len() {
-            return (curves, false);
+            break;
         }
         curves.extend(spline::pieces(kind, &rest[..end]));
         rest = &rest[end..];
     }
-    (curves, rest.is_empty())
+    let closed = !curves.is_empty();
+    (curves, closed)
 }
 
 /// Chains of segments, each running from its last point to its first; a jump begins a new loop.
@@ -155,6 +155,10 @@ mod tests {
         assert_eq!((curves.len(), closed), (4, true));
         assert_eq!(curves[0].d, Vec2::ZERO);
         assert!(!outline(SplineKind::Quadratic, &points[..5]).1);
+        for more in 1..4 {
+            let points = [&points[..], &square(5.0)[..more]].concat();
+            assert_eq!(outline(SplineKind::Quadratic, &points).0, curves);
+        }
     }
 
     #[test]

@@ -57,17 +57,22 @@ impl Parser<'_> {
                 let text = self.string()?;
                 self.error("scene-error", text.trim_end().to_owned(), span)
             }
-            _ => {
-                let span = self.here();
-                let text = self.source_text(span);
-                if text.trim_end() == "#" {
-                    self.warn("stray-hash", "a lone `#` means nothing", span);
-                    return Ok(());
-                }
-                let message = format!("`{text}` is no directive");
-                self.error("unknown-directive", message, span)
-            }
+            _ => self.lone_hash(),
         }
+    }
+
+    /// A `#` before anything but a directive's word means nothing; but before an unknown word it is surely a mistake.
+    fn lone_hash(&mut self) -> Result<()> {
+        let span = self.here();
+        let frame = &self.cursor.frame;
+        if let Some(Lexeme::Ident(symbol)) = frame.file.tokens.get(frame.pos as usize).map(|t| t.lexeme())
+            && self.scopes.lookup(symbol).is_none()
+        {
+            let message = format!("`#{}` is no directive", self.symbols.name(symbol));
+            return self.error("unknown-directive", message, span);
+        }
+        self.warn("stray-hash", "a lone `#` means nothing", span);
+        Ok(())
     }
 
     /// `declare`, `include`, `version` and `default` without `#`, tolerated where a statement may begin.

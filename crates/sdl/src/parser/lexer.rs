@@ -247,7 +247,11 @@ impl Lexer<'_> {
         let from = self.at;
         self.at = word_end(self.text, from);
         let word = std::str::from_utf8(&self.text[from..self.at]).unwrap_or_default();
-        let word = self.symbols.intern(word).keyword();
+        let word = self.symbols.intern(word).keyword().filter(|word| word.is_directive());
+        if word.is_none() {
+            // The `#` stands alone; what follows is read as if it were not there.
+            self.at = start + 1;
+        }
         let token = self.out.tokens.len() as u32;
         self.push(Lexeme::Directive(self.out.directives.len() as u32), start);
         self.out.directives.push(Directive { word, token, next: NONE, end: NONE });

@@ -2,6 +2,7 @@
 use raggio_math::Vec3;
 
 use crate::map::{Blend, Map};
+use crate::pattern::each;
 use crate::{Context, Pattern};
 
 /// Directions in which the pattern is sampled: the corners of a tetrahedron.
@@ -45,7 +46,7 @@ impl Slope {
 
     /// The normal bent at a warped point.
     pub fn bend(&self, pattern: &Pattern, n: Vec3, p: Vec3, context: &Context) -> Vec3 {
-        let points = PYRAMID.map(|direction| p + self.step * direction);
+        let points = each(&PYRAMID, |&direction| p + self.step * direction);
         let values = pattern.eval_warped4(&points, context);
         PYRAMID
             .iter()

@@ -125,6 +125,12 @@ enum Kind {
     },
 }
 
+/// What becomes of each of four things. (The array's own `map` is not always inlined, and then costs more than the work.)
+#[inline(always)]
+pub(crate) fn each<A, B>([a, b, c, d]: &[A; 4], mut f: impl FnMut(&A) -> B) -> [B; 4] {
+    [f(a), f(b), f(c), f(d)]
+}
+
 /// A compiled object that is asked for insideness only.
 pub(super) struct Inside(Geometry);
 
@@ -161,7 +167,7 @@ impl Pattern {
     /// The values at four points.
     #[inline]
     pub(crate) fn eval4(&self, points: &[Vec3; 4], context: &Context) -> [f64; 4] {
-        self.eval_warped4(&points.map(|p| self.warp(p)), context)
+        self.eval_warped4(&each(points, |&p| self.warp(p)), context)
     }
 
     /// Is there a shortcut to values above a bound?
@@ -189,7 +195,7 @@ impl Pattern {
             Kind::Granite { noise } => values = noisy::granite4(points, *noise),
             Kind::Wrinkles { noise } => values = noisy::wrinkles4(points, *noise),
             Kind::Pigment(pigment) => {
-                values = pigment.sample4(points, context).map(|(color, _)| f64::from(grey(color.rgb)));
+                values = each(&pigment.sample4(points, context), |(color, _)| f64::from(grey(color.rgb)));
             }
             kind => {
                 for (value, p) in values.iter_mut().zip(points) {
