@@ -1,4 +1,7 @@
 //! The wide node: eight children's boxes side by side.
+use raggio_math::{Aabb, Vec3};
+
+use crate::build::Bounds;
 
 /// Children per node.
 pub(crate) const WIDTH: usize = 8;
@@ -78,6 +81,32 @@ impl Node {
         ],
         child: [Child::LEAF; WIDTH],
     };
+
+    /// The boxes and words of the places that are in use.
+    pub(crate) fn children(&self) -> impl Iterator<Item = (Aabb, u32)> + '_ {
+        let corner = |first: usize, i: usize| {
+            let [x, y, z] = [0, 1, 2].map(|k| f64::from(self.bounds[first + k][i]));
+            Vec3::new(x, y, z)
+        };
+        let all = (0..WIDTH).map(move |i| (Aabb { min: corner(0, i), max: corner(3, i) }, self.child[i]));
+        all.filter(|(b, _)| !b.is_empty())
+    }
+
+    /// A box around all of it.
+    pub(crate) fn bounds(&self) -> Bounds {
+        let least = |row: &[f32; WIDTH]| row.iter().copied().fold(f32::INFINITY, f32::min);
+        let most = |row: &[f32; WIDTH]| row.iter().copied().fold(f32::NEG_INFINITY, f32::max);
+        let [a, b, c, d, e, f] = &self.bounds;
+        Bounds { lo: [least(a), least(b), least(c), 0.0], hi: [most(d), most(e), most(f), 0.0] }
+    }
+
+    /// Gives a place its box.
+    pub(crate) fn set_bounds(&mut self, place: usize, bounds: &Bounds) {
+        for axis in 0..3 {
+            self.bounds[axis][place] = bounds.lo[axis];
+            self.bounds[axis + 3][place] = bounds.hi[axis];
+        }
+    }
 
     /// A child in a tree over boxes.
     #[inline(always)]

@@ -196,7 +196,14 @@ fn curved_shapes() -> Vec<(&'static str, Shape)> {
         ("cubic sweep", sweep(SplineKind::Cubic)),
         (
             "bicubic_patch",
-            Shape::BicubicPatch { patch_type: 1, flatness: 0.0, u_steps: 4, v_steps: 4, points, uv },
+            Shape::BicubicPatch {
+                patch_type: 1,
+                flatness: 0.0,
+                u_steps: 4,
+                v_steps: 4,
+                points,
+                uv: Box::new(uv),
+            },
         ),
     ]
 }

@@ -30,17 +30,21 @@ pub(crate) struct Flat {
     pub(crate) parts: Parts,
 }
 
-/// A member with its boxes.
+/// A member with its boxes. Scenes of millions of objects have as many of these at once.
 struct Built {
     member: Member,
     surface: Aabb,
-    /// Outside this box nothing is inside it.
-    inside: Aabb,
-    /// Outside this box everything is inside it.
-    outside: Aabb,
-    /// What it leaves of others in an intersection lies in this box: its inside, and the surface of patches in it, which
-    /// have no inside.
-    reach: Aabb,
+    volume: Volume,
+}
+
+/// Which space a member fills, as far as boxes tell.
+enum Volume {
+    /// What the box of its surface holds.
+    Solid,
+    /// None: it is but a surface.
+    Patch,
+    /// Any other.
+    Other(Box<Boxes>),
 }
 
 struct Walk {
@@ -84,7 +88,7 @@ pub(crate) fn flatten(objects: &[Arc<Object>], keep_all_bounds: bool) -> Result<
 
 /// Does its inside reach beyond its box, as that of a height field, of a disc, or of what is turned inside out?
 fn overreaches(built: &Built) -> bool {
-    built.surface.is_finite() && built.surface.union(&built.inside) != built.surface
+    built.surface.is_finite() && built.surface.union(&built.boxes().inside) != built.surface
 }
 
 impl Walk {
@@ -132,13 +136,10 @@ impl Walk {
             }
         }
         let reach = if inside.is_empty() { surface } else { inside };
-        Ok(Built {
-            member: Member { node: NodeRef::leaf(index), skip: c.skip },
-            surface,
-            inside,
-            outside,
-            reach,
-        })
+        Ok(Built::new(
+            Member { node: NodeRef::leaf(index), skip: c.skip },
+            Boxes { surface, inside, outside, reach },
+        ))
     }
 
     /// Textures that a mesh's faces or a blob's components bring along.
@@ -246,19 +247,21 @@ impl Walk {
         let mut made = group(op, &own, &self.leaves, clips, bounds);
         made.solid = Solid::new(&made, at, &self.leaves, &self.groups).map(Box::new);
         self.groups[at as usize] = made;
-        Ok(Built {
-            member: Member { node: NodeRef::group(at as usize), skip },
-            surface,
-            inside: boxes.inside.intersection(&clip_box),
-            outside: if object.clips.is_empty() { boxes.outside } else { Aabb::INFINITE },
-            reach: boxes.reach.intersection(&clip_box),
-        })
+        Ok(Built::new(
+            Member { node: NodeRef::group(at as usize), skip },
+            Boxes {
+                surface,
+                inside: boxes.inside.intersection(&clip_box),
+                outside: if object.clips.is_empty() { boxes.outside } else { Aabb::INFINITE },
+                reach: boxes.reach.intersection(&clip_box),
+            },
+        ))
     }
 
     /// Cuts the boxes of unbounded members to what the group lets count of them.
     fn tighten(&self, op: Op, own: &mut [Built], clips: &[NodeRef], clip_box: &Aabb) {
         let limit = match op {
-            Op::Intersection => own.iter().fold(*clip_box, |limit, m| limit.intersection(&m.reach)),
+            Op::Intersection => own.iter().fold(*clip_box, |limit, m| limit.intersection(&m.boxes().reach)),
             Op::Union | Op::Merge => *clip_box,
         };
         let limiting = if op == Op::Intersection { &*own } else { &[] };
@@ -267,18 +270,18 @@ impl Walk {
         if op == Op::Intersection {
             let held = convex.as_ref().map_or(limit, |convex| convex.bounds_within(&limit));
             for m in own.iter_mut().filter(|m| self.leaves.is_plane(m.member.node)) {
-                m.inside = m.inside.intersection(&held);
-                m.reach = m.reach.intersection(&held);
+                m.change(|boxes| boxes.hold(&held));
             }
         }
         for m in own.iter_mut().filter(|m| !m.surface.is_finite()) {
             if let Some((part, turned)) = self.leaves.bounds_within(m.member.node, &limit, convex.as_ref()) {
-                m.surface = m.surface.intersection(&part);
-                // What is turned inside out reaches on beyond its surface.
-                if !turned {
-                    m.inside = m.inside.intersection(&part);
-                    m.reach = m.reach.intersection(&part);
-                }
+                m.change(|boxes| {
+                    boxes.surface = boxes.surface.intersection(&part);
+                    // What is turned inside out reaches on beyond its surface.
+                    if !turned {
+                        boxes.hold(&part);
+                    }
+                });
             }
         }
     }
@@ -316,7 +319,7 @@ impl Walk {
             let mut built = Vec::new();
             self.object(object, &context, Op::Merge, &mut built)?;
             for b in built {
-                inside = inside.intersection(&b.inside);
+                inside = inside.intersection(&b.boxes().inside);
                 nodes.push(b.member.node);
             }
         }
@@ -360,18 +363,65 @@ impl Walk {
     }
 }
 
-/// The boxes of a group; see [`Built`].
+/// The boxes of a shape or group.
+#[derive(Clone, Copy, PartialEq)]
 struct Boxes {
     surface: Aabb,
+    /// Outside this box nothing is inside it.
     inside: Aabb,
+    /// Outside this box everything is inside it.
     outside: Aabb,
+    /// What it leaves of others in an intersection lies in this box: its inside, and the surface of patches in it, which
+    /// have no inside.
     reach: Aabb,
 }
 
+impl Boxes {
+    fn solid(surface: Aabb) -> Self {
+        Boxes { surface, inside: surface, outside: Aabb::INFINITE, reach: surface }
+    }
+
+    fn patch(surface: Aabb) -> Self {
+        Boxes { inside: Aabb::EMPTY, ..Boxes::solid(surface) }
+    }
+
+    /// Nothing is inside beyond a box.
+    fn hold(&mut self, within: &Aabb) {
+        self.inside = self.inside.intersection(within);
+        self.reach = self.reach.intersection(within);
+    }
+}
+
+impl Built {
+    fn new(member: Member, boxes: Boxes) -> Self {
+        let volume = match boxes {
+            _ if boxes == Boxes::solid(boxes.surface) => Volume::Solid,
+            _ if boxes == Boxes::patch(boxes.surface) => Volume::Patch,
+            _ => Volume::Other(Box::new(boxes)),
+        };
+        Built { member, surface: boxes.surface, volume }
+    }
+
+    fn boxes(&self) -> Boxes {
+        match &self.volume {
+            Volume::Solid => Boxes::solid(self.surface),
+            Volume::Patch => Boxes::patch(self.surface),
+            Volume::Other(boxes) => **boxes,
+        }
+    }
+
+    fn change(&mut self, change: impl FnOnce(&mut Boxes)) {
+        let mut boxes = self.boxes();
+        change(&mut boxes);
+        *self = Built::new(self.member, boxes);
+    }
+}
+
 fn combined_boxes(op: Op, members: &[Built]) -> Boxes {
-    let any = |pick: fn(&Built) -> Aabb| members.iter().fold(Aabb::EMPTY, |all, m| all.union(&pick(m)));
-    let all = |pick: fn(&Built) -> Aabb| {
-        members.iter().fold(Aabb::INFINITE, |common, m| common.intersection(&pick(m)))
+    let any =
+        |pick: fn(&Boxes) -> Aabb| members.iter().fold(Aabb::EMPTY, |all, m| all.union(&pick(&m.boxes())));
+    let all = |pick: fn(&Boxes) -> Aabb| {
+        members.iter().fold(Aabb::INFINITE, |common, m| common.intersection(&pick(&m.boxes())))
     };
     let surface = any(|m| m.surface);
     match op {
@@ -391,19 +441,19 @@ fn combined_boxes(op: Op, members: &[Built]) -> Boxes {
 }
 
 fn group(op: Op, built: &[Built], leaves: &Leaves, clips: Vec<NodeRef>, bounds: Vec<NodeRef>) -> Group {
-    let deciding: fn(&Built) -> Aabb = match op {
+    let deciding: fn(&Boxes) -> Aabb = match op {
         Op::Union | Op::Merge => |b| b.inside,
         Op::Intersection => |b| b.outside,
     };
     // An intersection has no surface outside what its members hold, however far theirs reach.
     let limit = combined_boxes(op, built).surface;
-    let surfaces: Vec<Aabb> = built.iter().map(|b| b.surface.intersection(&limit)).collect();
-    let decisions: Vec<Aabb> = built.iter().map(deciding).collect();
+    let surface = |i: usize| built[i].surface.intersection(&limit);
+    let decision = |i: usize| deciding(&built[i].boxes());
     let cost = |m: &Built| leaves.cost(m.member.node);
     // Costly members have a box of their own even where there are a great many.
     let cheap = built.len() > 1024 && built.iter().all(|m| cost(m) == 0);
     let (surfaces, deciders) =
-        indices(&surfaces, &decisions, |all| deciders(built, leaves, all), 1 + usize::from(cheap));
+        indices(built.len(), surface, decision, |all| deciders(built, leaves, all), 1 + usize::from(cheap));
     let members: Vec<_> = built.iter().map(|b| b.member).collect();
     let limiting = if op == Op::Intersection { &members[..] } else { &[] };
     let convex = Convex::of(limiting.iter().map(|m| m.node).chain(clips.iter().copied()), leaves);
@@ -414,8 +464,9 @@ fn group(op: Op, built: &[Built], leaves: &Leaves, clips: Vec<NodeRef>, bounds: 
 fn deciders(built: &[Built], leaves: &Leaves, mut order: Vec<u32>) -> Vec<Decider> {
     order.sort_by_key(|&i| leaves.cost(built[i as usize].member.node));
     let known = |index: u32| {
-        let Built { member, inside, outside, .. } = built[index as usize];
-        Decider { member: index, quick: leaves.is_quick(member.node), inside, outside }
+        let (Boxes { inside, outside, .. }, node) =
+            (built[index as usize].boxes(), built[index as usize].member.node);
+        Decider { member: index, quick: leaves.is_quick(node), inside, outside }
     };
     order.into_iter().map(known).collect()
 }

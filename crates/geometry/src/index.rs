@@ -56,17 +56,18 @@ pub(crate) fn row(boxes: &[Aabb]) -> BoxRow {
     BoxRow::new(&boxes.iter().map(padded).collect::<Vec<_>>())
 }
 
-fn tree(boxes: &[Aabb], leaf_size: usize) -> (Arc<Bvh>, Vec<u32>) {
-    let Built { bvh, unbounded } = Bvh::build(boxes, leaf_size);
+fn tree(count: usize, boxes: impl Fn(usize) -> Aabb, leaf_size: usize) -> (Arc<Bvh>, Vec<u32>) {
+    let Built { bvh, unbounded } = Bvh::build_by(count, boxes, leaf_size);
     (Arc::new(bvh), unbounded)
 }
 
-/// Finds the members of a group: by where their surfaces are, and by where they alone decide about a point
-/// (`decisions`). `deciders` tells what is known of those that must always be asked, in the order in which they had best
+/// Finds so many members of a group: by where the surface of each is, and by where it alone decides about a point
+/// (`decision`). `deciders` tells what is known of those that must always be asked, in the order in which they had best
 /// be.
 pub(crate) fn indices(
-    surfaces: &[Aabb],
-    decisions: &[Aabb],
+    count: usize,
+    surface: impl Fn(usize) -> Aabb,
+    decision: impl Fn(usize) -> Aabb,
     deciders: impl Fn(Vec<u32>) -> Vec<Decider>,
     leaf_size: usize,
 ) -> (Index, Deciders) {
@@ -77,14 +78,15 @@ pub(crate) fn indices(
         }
         known
     };
-    if surfaces.len() <= FEW {
-        let all = (0..surfaces.len() as u32).collect();
-        return (Index::Few(Box::new(row(surfaces))), Deciders { listed: known(all), tree: None });
+    if count <= FEW {
+        let all = (0..count as u32).collect();
+        let surfaces: Vec<Aabb> = (0..count).map(surface).collect();
+        return (Index::Few(Box::new(row(&surfaces))), Deciders { listed: known(all), tree: None });
     }
-    let (bvh, listed) = tree(surfaces, leaf_size);
-    let (deciding, always) = match surfaces == decisions {
+    let (bvh, listed) = tree(count, &surface, leaf_size);
+    let (deciding, always) = match (0..count).all(|i| surface(i) == decision(i)) {
         true => (bvh.clone(), listed.clone()),
-        false => tree(decisions, leaf_size),
+        false => tree(count, decision, leaf_size),
     };
     (Index::Many { bvh, listed }, Deciders { listed: known(always), tree: Some(deciding) })
 }

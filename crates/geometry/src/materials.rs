@@ -16,6 +16,8 @@ pub(crate) struct Materials {
     default_interior: Arc<Interior>,
     material_ids: FxHashMap<MaterialKey, MaterialId>,
     texture_ids: FxHashMap<TextureKey, TextureId>,
+    /// By address: those that are the same wherever they are.
+    uniform_ids: FxHashMap<usize, TextureId>,
 }
 
 /// What tells most materials apart.
@@ -26,18 +28,22 @@ type TextureKey = (usize, [u64; 12]);
 impl Materials {
     /// The id of a texture at its place in the world.
     pub(crate) fn texture(&mut self, texture: &Arc<Texture>, world_from_texture: &Affine) -> TextureId {
-        // Copies of an object of one colour share one texture wherever they are.
-        let world_from_texture = if is_uniform(texture) { &Affine::IDENTITY } else { world_from_texture };
-        let key = (Arc::as_ptr(texture) as usize, world_from_texture.to_cols_array().map(f64::to_bits));
+        let address = Arc::as_ptr(texture) as usize;
         let textures = &mut self.textures;
-        *self.texture_ids.entry(key).or_insert_with(|| {
-            let identity = *world_from_texture == Affine::IDENTITY;
+        let mut add = |place: &Affine| {
+            let identity = *place == Affine::IDENTITY;
             textures.push(PlacedTexture {
                 texture: texture.clone(),
-                texture_from_world: (!identity).then(|| Box::new(world_from_texture.inverse())),
+                texture_from_world: (!identity).then(|| Box::new(place.inverse())),
             });
             TextureId(textures.len() as u32 - 1)
-        })
+        };
+        // Copies of an object of one colour share one texture wherever they are.
+        if is_uniform(texture) {
+            return *self.uniform_ids.entry(address).or_insert_with(|| add(&Affine::IDENTITY));
+        }
+        let key = (address, world_from_texture.to_cols_array().map(f64::to_bits));
+        *self.texture_ids.entry(key).or_insert_with(|| add(world_from_texture))
     }
 
     /// A new interior: each has an identity of its own.

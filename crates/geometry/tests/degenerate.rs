@@ -35,7 +35,7 @@ fn shapes_without_extent_are_never_hit() {
         Shape::Disc { center: o, normal: o, radius: 1.0, hole: 0.0 },
         Shape::Triangle { points: [o, x, x * 2.0] },
         // Normals that do not all point to one side.
-        Shape::SmoothTriangle { points: [o, x, y], normals: [z, z, -z] },
+        Shape::SmoothTriangle { points: [o, x, y], normals: Box::new([z, z, -z]) },
         // Not in a plane.
         Shape::Polygon { loops: vec![vec![o, x, x + y + z, y, o]] },
         Shape::Polygon { loops: vec![vec![o, x, x * 2.0, o]] },

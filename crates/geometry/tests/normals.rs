@@ -25,8 +25,9 @@ fn near(a: Vec3, b: Vec3) {
 fn smooth_triangles_blend_normals_carried_one_by_one() {
     let (o, x, y) = (Vec3::ZERO, Vec3::X, Vec3::Y);
     let normals = [Vec3::new(0.1, 0.0, 1.0), Vec3::new(0.2, 0.1, 1.0), Vec3::new(0.0, 0.3, 1.0)];
-    let triangle =
-        || solid(Shape::SmoothTriangle { points: [o, x, y], normals: normals.map(Vec3::normalize) });
+    let triangle = || {
+        solid(Shape::SmoothTriangle { points: [o, x, y], normals: Box::new(normals.map(Vec3::normalize)) })
+    };
     let from = Vec3::new(0.3, 0.2, -3.0);
     near(normal(triangle(), from), Vec3::new(0.109222, 0.087480, 0.990160));
     let mut scaled = triangle();

@@ -1,6 +1,7 @@
 //! A mesh on its way: what all formats check and mend in the same way.
 use raggio_math::Vec3;
-use raggio_scene::{FaceIndices, Mesh};
+use raggio_scene::{FaceIndices, Mesh, has_area};
+use rayon::prelude::*;
 
 use crate::{ImportError, Result};
 
@@ -24,7 +25,8 @@ pub(crate) fn finished(mut mesh: Mesh) -> Result<Mesh> {
         return Err(ImportError::Whole("more triangles than Raggio can count".to_owned()));
     }
     unit_normals(&mut mesh);
-    mesh.faces.drop_degenerate(&mesh.vertices);
+    let keep: Vec<bool> = mesh.faces.corners.par_iter().map(|&c| has_area(&mesh.vertices, c)).collect();
+    mesh.faces.retain(&keep);
     match mesh.faces.is_empty() {
         true => Err(ImportError::Whole("there is no triangle in it".to_owned())),
         false => Ok(mesh),

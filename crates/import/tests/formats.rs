@@ -1,7 +1,7 @@
 //! Every variant of every format, and broken files, which must be refused with the place of the fault.
 #![allow(clippy::unwrap_used)]
 use raggio_import::{Format, ImportError, Surroundings, read};
-use raggio_scene::{FaceIndices, FaceTexture, Mesh, PigmentKind, TextureKind};
+use raggio_scene::{FaceIndices, FaceTexture, Mesh, PigmentKind, TextureKind, has_area};
 
 fn nothing_around() -> Surroundings<'static> {
     Surroundings { find: &|_| None, working: None }
@@ -107,11 +107,12 @@ fn obj_faults_name_their_line() {
 
 const PLY: &str = "ply\nformat ascii 1.0\ncomment by hand\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n";
 
-/// The square with other elements and properties all around what counts, in binary.
-fn binary_ply(big: bool) -> Vec<u8> {
+/// The square with other elements and properties all around what counts, in binary. `odd` gives the vertices a list.
+fn binary_ply(big: bool, odd: bool) -> Vec<u8> {
     let order = if big { "big" } else { "little" };
+    let list = if odd { "property list uint8 short odd\n" } else { "" };
     let mut bytes = format!(
-        "ply\nformat binary_{order}_endian 1.0\nelement vertex 4\nproperty uchar red\nproperty double z\nproperty float32 y\nproperty list uint8 short odd\nproperty float x\nproperty float nx\nproperty float ny\nproperty float nz\nproperty float s\nproperty float t\nelement empty 1000000000000\nelement edge 1\nproperty int a\nelement face 2\nproperty list ushort uint vertex_index\nproperty short flags\nend_header\n"
+        "ply\nformat binary_{order}_endian 1.0\nelement vertex 4\nproperty uchar red\nproperty double z\nproperty float32 y\n{list}property float x\nproperty float nx\nproperty float ny\nproperty float nz\nproperty float s\nproperty float t\nelement empty 1000000000000\nelement edge 1\nproperty int a\nelement face 2\nproperty list ushort uint vertex_index\nproperty short flags\nend_header\n"
     )
     .into_bytes();
     fn put<const N: usize>(out: &mut Vec<u8>, big: bool, mut little: [u8; N]) {
@@ -124,8 +125,10 @@ fn binary_ply(big: bool) -> Vec<u8> {
         bytes.push(9);
         put(&mut bytes, big, f64::from(z).to_le_bytes());
         put(&mut bytes, big, y.to_le_bytes());
-        bytes.push(1);
-        put(&mut bytes, big, 77i16.to_le_bytes());
+        if odd {
+            bytes.push(1);
+            put(&mut bytes, big, 77i16.to_le_bytes());
+        }
         for value in [x, 0.0, 0.0, 3.0, x, y] {
             put(&mut bytes, big, value.to_le_bytes());
         }
@@ -149,8 +152,8 @@ fn ply_texts_are_read() {
 
 #[test]
 fn ply_binaries_are_read_in_both_byte_orders_whatever_else_they_hold() {
-    for big in [false, true] {
-        let mesh = load(Format::Ply, binary_ply(big)).unwrap();
+    for (big, odd) in [(false, true), (true, true), (false, false), (true, false)] {
+        let mesh = load(Format::Ply, binary_ply(big, odd)).unwrap();
         assert_square(&mesh);
         assert_eq!((&mesh.faces.normals, &mesh.faces.uvs), (&FaceIndices::Corners, &FaceIndices::Corners));
         assert_eq!((mesh.normals[3], mesh.uvs[2]), ([0., 0., 1.], [1., 1.]));
@@ -159,12 +162,64 @@ fn ply_binaries_are_read_in_both_byte_orders_whatever_else_they_hold() {
 
 #[test]
 fn ply_files_cut_short_anywhere_are_refused() {
-    let whole = binary_ply(false);
-    for length in 0..whole.len() {
-        assert!(load(Format::Ply, &whole[..length]).is_err(), "{length} bytes");
+    for odd in [false, true] {
+        let whole = binary_ply(false, odd);
+        for length in 0..whole.len() {
+            assert!(load(Format::Ply, &whole[..length]).is_err(), "{length} bytes");
+        }
     }
     for length in 0..PLY.len() - 2 {
         assert!(load(Format::Ply, &PLY[..length]).is_err(), "{length} bytes");
+    }
+}
+
+/// A table of equally long rows is read at once; where it goes wrong the place is named all the same.
+#[test]
+fn ply_faults_in_binary_name_their_place() {
+    let whole = binary_ply(false, false);
+    let data = whole.len() - 2 * 16 - 4 - 4 * 37;
+    let fault = |at: usize, new: &[u8]| {
+        let mut bytes = whole.clone();
+        bytes[at..at + new.len()].copy_from_slice(new);
+        match load(Format::Ply, bytes).unwrap_err() {
+            ImportError::Byte { offset, .. } => offset - data,
+            other => panic!("{other}"),
+        }
+    };
+    assert_eq!(fault(data + 2 * 37 + 9, &f32::NAN.to_le_bytes()), 3 * 37);
+    let faces = 4 * 37 + 4;
+    assert_eq!(fault(data + faces + 16, &60_000u16.to_le_bytes()), faces + 18);
+    assert_eq!(fault(data + faces + 16 + 2, &u32::MAX.to_le_bytes()), faces + 16 + 6);
+}
+
+/// Triangles come out as they stand in the file, and a polygon among them changes nothing for the others.
+#[test]
+fn ply_tables_of_many_triangles_are_read_with_or_without_a_polygon() {
+    let count = 50_000u32;
+    let mut bytes = format!(
+        "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty float x\nproperty float y\nproperty float z\nelement face {}\nproperty list uchar int vertex_indices\nend_header\n",
+        count + 3,
+        count + 1
+    )
+    .into_bytes();
+    for i in 0..count + 3 {
+        for value in [i as f32, (i * i % 101) as f32, 1.0] {
+            bytes.extend(value.to_le_bytes());
+        }
+    }
+    let face = |corners: &[u32]| {
+        let mut row = vec![corners.len() as u8];
+        corners.iter().for_each(|i| row.extend(i.to_le_bytes()));
+        row
+    };
+    (0..count).for_each(|i| bytes.extend(face(&[i, i + 1, i + 2])));
+    for last in [&[5, 6, 7][..], &[5, 6, 7, 8]] {
+        let mesh = load(Format::Ply, [&bytes[..], &face(last)].concat()).unwrap();
+        assert_eq!(mesh.vertices[777], [777.0, (777 * 777 % 101) as f32, 1.0]);
+        assert_eq!(mesh.faces.corners.last(), Some(&if last.len() == 3 { [5, 6, 7] } else { [5, 7, 8] }));
+        let kept: Vec<[u32; 3]> =
+            (0..count).map(|i| [i, i + 1, i + 2]).filter(|&c| has_area(&mesh.vertices, c)).collect();
+        assert_eq!(mesh.faces.corners[..kept.len()], kept[..]);
     }
 }
 

@@ -8,7 +8,7 @@ use raggio_import::{Format, ImportError, Surroundings};
 use raggio_scene::Mesh;
 use raggio_sdl::Files;
 
-use crate::embedded;
+use crate::{embedded, mapped};
 
 /// The usual places of an installed POV-Ray library.
 const INSTALLED: &[&str] = &[
@@ -64,33 +64,7 @@ impl DiskFiles {
         raggio_import::read(format, bytes, &Surroundings { find: &find, working })
     }
 
-    fn exact(&self, name: &str) -> Option<(String, Vec<u8>)> {
-        for folder in &self.folders {
-            let path = folder.join(name);
-            if path.is_file() {
-                return Some((path.to_string_lossy().into_owned(), fs::read(&path).ok()?));
-            }
-            if Path::new(name).is_absolute() {
-                break;
-            }
-        }
-        embedded::file(name).map(|text| (format!("<built in>/{name}"), text.to_vec()))
-    }
-
-    fn ignoring_case(&self, name: &str) -> Option<(String, Vec<u8>)> {
-        let found = self.folders.iter().find_map(|folder| resolve_ignoring_case(folder, Path::new(name)));
-        match found {
-            Some(path) => Some((path.to_string_lossy().into_owned(), fs::read(&path).ok()?)),
-            None => {
-                let lower = name.to_ascii_lowercase();
-                embedded::file(&lower).map(|text| (format!("<built in>/{lower}"), text.to_vec()))
-            }
-        }
-    }
-}
-
-impl Files for DiskFiles {
-    fn find(&self, names: &[String]) -> Option<(String, Vec<u8>)> {
+    fn locate(&self, names: &[String]) -> Option<(String, Place)> {
         names.iter().find_map(|name| self.exact(name)).or_else(|| {
             names
                 .iter()
@@ -99,9 +73,53 @@ impl Files for DiskFiles {
         })
     }
 
+    fn exact(&self, name: &str) -> Option<(String, Place)> {
+        for folder in &self.folders {
+            let path = folder.join(name);
+            if path.is_file() {
+                return Some((path.to_string_lossy().into_owned(), Place::Disk(path)));
+            }
+            if Path::new(name).is_absolute() {
+                break;
+            }
+        }
+        embedded::file(name).map(|text| (format!("<built in>/{name}"), Place::Embedded(text)))
+    }
+
+    fn ignoring_case(&self, name: &str) -> Option<(String, Place)> {
+        let found = self.folders.iter().find_map(|folder| resolve_ignoring_case(folder, Path::new(name)));
+        match found {
+            Some(path) => Some((path.to_string_lossy().into_owned(), Place::Disk(path))),
+            None => {
+                let lower = name.to_ascii_lowercase();
+                embedded::file(&lower).map(|text| (format!("<built in>/{lower}"), Place::Embedded(text)))
+            }
+        }
+    }
+}
+
+/// Where a file has been found.
+enum Place {
+    Disk(PathBuf),
+    Embedded(&'static [u8]),
+}
+
+impl Files for DiskFiles {
+    fn find(&self, names: &[String]) -> Option<(String, Vec<u8>)> {
+        let (name, place) = self.locate(names)?;
+        match place {
+            Place::Disk(path) => Some((name, fs::read(path).ok()?)),
+            Place::Embedded(text) => Some((name, text.to_vec())),
+        }
+    }
+
     fn mesh(&self, name: &str, working: Option<Curve>) -> Option<Result<Mesh, String>> {
-        let (found, bytes) = self.find(&[name.to_owned()])?;
-        Some(self.model(&found, &bytes, working).map_err(|fault| fault.to_string()))
+        let (found, place) = self.locate(&[name.to_owned()])?;
+        let mesh = match place {
+            Place::Disk(path) => self.model(&found, &mapped::open(&path).ok()?, working),
+            Place::Embedded(text) => self.model(&found, text, working),
+        };
+        Some(mesh.map_err(|fault| fault.to_string()))
     }
 
     fn write(&self, name: &str, bytes: &[u8], append: bool) -> io::Result<()> {

@@ -16,6 +16,7 @@ mod embedded;
 mod engine;
 mod files;
 mod load;
+mod mapped;
 mod model;
 mod output;
 

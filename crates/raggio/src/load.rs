@@ -122,13 +122,13 @@ fn source_text(options: &SceneOptions) -> Result<(String, Vec<u8>), Box<Diagnost
         return Ok(("default.pov".to_owned(), crate::DEFAULT_SCENE.as_bytes().to_vec()));
     };
     let name = path.display().to_string();
-    read(path).map(|text| (name, text))
+    std::fs::read(path).map(|text| (name, text)).map_err(|error| unreadable(path, &error))
 }
 
-/// The bytes of the file that was asked for.
-pub(crate) fn read(path: &Path) -> Result<Vec<u8>, Box<Diagnostic>> {
-    let missing = |error| format!("cannot read {}: {error}", path.display());
-    std::fs::read(path).map_err(|error| Box::new(Diagnostic::error("missing-scene", missing(error), None)))
+/// That the file that was asked for cannot be read.
+pub(crate) fn unreadable(path: &Path, error: &std::io::Error) -> Box<Diagnostic> {
+    let message = format!("cannot read {}: {error}", path.display());
+    Box::new(Diagnostic::error("missing-scene", message, None))
 }
 
 impl Loaded {

@@ -1,7 +1,7 @@
 //! A model file by itself: put on a stage, framed, lit.
 use std::path::Path;
 use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use raggio_diag::{Diagnostic, Sources};
 use raggio_image::Curve;
@@ -9,10 +9,12 @@ use raggio_import::Format;
 use raggio_math::{Affine, Mat3, Vec3, transform};
 use raggio_scene::{Camera, Mesh, ObjectKind, Shape};
 use raggio_sdl::Declared;
+use rayon::prelude::*;
 
 use crate::engine::LiveEngine;
 use crate::files::DiskFiles;
-use crate::load::{Failure, Loaded, SceneOptions, read};
+use crate::load::{Failure, Loaded, SceneOptions, unreadable};
+use crate::mapped;
 
 /// Camera, light and a ball in place of the model.
 const STAGE: &str = include_str!("stage.pov");
@@ -26,7 +28,7 @@ pub(crate) fn load(path: &Path, options: &SceneOptions) -> Result<Loaded, Failur
     let failed = |diagnostic| Failure { diagnostics: vec![diagnostic], sources: Sources::default() };
     let files = DiskFiles::new(path.parent(), &options.libraries, false);
     let name = path.to_string_lossy();
-    let bytes = read(path).map_err(|diagnostic| failed(*diagnostic))?;
+    let bytes = mapped::open(path).map_err(|error| failed(*unreadable(path, &error)))?;
     let mesh = files
         .model(&name, &bytes, Some(Curve::Linear))
         .map_err(|fault| failed(Diagnostic::error("bad-model", format!("{name}: {fault}"), None)))?;
@@ -80,20 +82,20 @@ fn up(format: Option<Format>) -> Vec3 {
 /// times as long.
 struct Points<'a> {
     vertices: &'a [[f32; 3]],
-    used: Vec<bool>,
+    used: Vec<AtomicBool>,
 }
 
 impl Points<'_> {
     fn of(mesh: &Mesh) -> Points<'_> {
-        let mut used = vec![false; mesh.vertices.len()];
-        for &i in mesh.faces.corners.iter().flatten() {
-            used[i as usize] = true;
-        }
+        let used: Vec<AtomicBool> = mesh.vertices.iter().map(|_| AtomicBool::new(false)).collect();
+        mesh.faces.corners.par_iter().for_each(|corners| {
+            corners.iter().for_each(|&i| used[i as usize].store(true, Ordering::Relaxed));
+        });
         Points { vertices: &mesh.vertices, used }
     }
 
     fn iter(&self) -> impl Iterator<Item = Vec3> {
-        let used = self.vertices.iter().zip(&self.used).filter(|(_, used)| **used);
+        let used = self.vertices.iter().zip(&self.used).filter(|(_, used)| used.load(Ordering::Relaxed));
         used.map(|(&[x, y, z], _)| Vec3::new(f64::from(x), f64::from(y), f64::from(z)))
     }
 }

@@ -37,7 +37,7 @@ pub use camera::{Camera, CameraKind, FocalBlur, MeshCamera};
 pub use finish::{Finish, Irid, LegacyInterior, Reflection, Subsurface};
 pub use interior::{Density, Interior, Media, Scattering};
 pub use light::{AreaLight, Light, LightKind};
-pub use mesh::{FaceIndices, FaceTexture, Faces, Mesh, MeshFace};
+pub use mesh::{FaceIndices, FaceTexture, Faces, Mesh, MeshFace, has_area};
 pub use normal::{Normal, NormalKind, NormalPattern};
 pub use nurbs::{Knots, Nurbs, Trim};
 pub use object::{Csg, Object, ObjectKind, PhotonFlags, Placed};

@@ -163,10 +163,17 @@ impl Faces {
             return;
         }
         let keep: Vec<bool> = self.corners.iter().map(|&c| has_area(vertices, c)).collect();
-        retain(&mut self.corners, &keep);
-        retain(&mut self.textures, &keep);
-        self.normals.retain(&keep);
-        self.uvs.retain(&keep);
+        self.retain(&keep);
+    }
+
+    /// Drops the triangles that are not to be kept.
+    pub fn retain(&mut self, keep: &[bool]) {
+        if keep.contains(&false) {
+            retain(&mut self.corners, keep);
+            retain(&mut self.textures, keep);
+            self.normals.retain(keep);
+            self.uvs.retain(keep);
+        }
     }
 }
 
@@ -178,7 +185,9 @@ impl FromIterator<MeshFace> for Faces {
     }
 }
 
-fn has_area(vertices: &[[f32; 3]], corners: [u32; 3]) -> bool {
+/// Has a triangle with these corners an area?
+#[inline]
+pub fn has_area(vertices: &[[f32; 3]], corners: [u32; 3]) -> bool {
     let [a, b, c] = corners.map(|i| Vec3::from_array(vertices[i as usize].map(f64::from)));
     (a - b).cross(c - b) != Vec3::ZERO
 }

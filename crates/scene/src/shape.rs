@@ -66,10 +66,10 @@ pub enum Shape {
     Triangle {
         points: [Vec3; 3],
     },
-    /// Normals are of unit length.
+    /// Normals are of unit length. Boxed, as are other large parts, so that a million spheres stay small.
     SmoothTriangle {
         points: [Vec3; 3],
-        normals: [Vec3; 3],
+        normals: Box<[Vec3; 3]>,
     },
     /// Closed loops in one plane; even-odd.
     Polygon {
@@ -83,7 +83,7 @@ pub enum Shape {
         u_steps: u32,
         v_steps: u32,
         points: Box<[[Vec3; 4]; 4]>,
-        uv: [Vec2; 4],
+        uv: Box<[Vec2; 4]>,
     },
     HeightField(Arc<HeightField>),
     Blob(Arc<Blob>),

@@ -56,11 +56,16 @@ impl Bvh {
     /// Builds a tree over boxes; a primitive is its index in `boxes`. Empty boxes are left out, unbounded ones handed
     /// back. `leaf_size` (at most 8) is how many primitives may share a leaf: 1 for costly ones, more for cheap ones.
     pub fn build(boxes: &[Aabb], leaf_size: usize) -> Built {
+        Bvh::build_by(boxes.len(), |i| boxes[i], leaf_size)
+    }
+
+    /// [`Bvh::build`] over boxes that are made one by one.
+    pub fn build_by(count: usize, boxes: impl Fn(usize) -> Aabb, leaf_size: usize) -> Built {
         let mut unbounded = Vec::new();
-        let mut prims = Vec::with_capacity(boxes.len());
-        for (number, b) in boxes.iter().enumerate().filter(|(_, b)| !b.is_empty()) {
+        let mut prims = Vec::with_capacity(count);
+        for (number, b) in (0..count).map(boxes).enumerate().filter(|(_, b)| !b.is_empty()) {
             match b.min.min_element() > -REACH && b.max.max_element() < REACH {
-                true => prims.push(Prim::new(enclosing(b), number as u32)),
+                true => prims.push(Prim::new(enclosing(&b), number as u32)),
                 false => unbounded.push(number as u32),
             }
         }

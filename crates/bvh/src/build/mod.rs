@@ -82,7 +82,7 @@ struct Builder<'a, L: Leaves> {
 
 /// A tree over primitives (none without primitives), and a box around them.
 pub(crate) fn build<L: Leaves>(kind: &L, mut prims: Vec<Prim>) -> (Tree<L::Leaf>, Bounds) {
-    let mut tree = Tree { nodes: Vec::new(), leaves: Vec::new() };
+    let mut tree = Tree::EMPTY;
     let all = Run::of(&prims);
     let builder = Builder { kind, size: kind.size() };
     if prims.len() >= LARGE {
@@ -135,6 +135,8 @@ impl<L: Leaves> Builder<'_, L> {
         let top = self.top(&mut prims, &all, 0, limit);
         let mut waiting = Vec::new();
         place(top, &mut tree.nodes, &mut waiting);
+        // Kept from batch to batch: fresh memory would have to be cleared for each.
+        let mut parts: Vec<Tree<L::Leaf>> = (0..BATCH).map(|_| Tree::EMPTY).collect();
         while !waiting.is_empty() {
             let batch = waiting.split_off(waiting.len().saturating_sub(BATCH));
             let start = prims.len() - batch.iter().map(|part| part.run.len).sum::<usize>();
@@ -145,15 +147,12 @@ impl<L: Leaves> Builder<'_, L> {
                 work.push((own, part));
                 rest = others;
             }
-            let built: Vec<(Tree<L::Leaf>, u32, Waiting)> = work
+            let built: Vec<(u32, Waiting)> = work
                 .into_par_iter()
-                .map(|(own, part)| {
-                    let mut below = Tree { nodes: Vec::new(), leaves: Vec::new() };
-                    let root = self.child(own, &part.run, part.depth, &mut below);
-                    (below, root, part)
-                })
+                .zip(&mut parts)
+                .map(|((own, part), below)| (self.child(own, &part.run, part.depth, below), part))
                 .collect();
-            for (below, root, part) in built {
+            for ((root, part), below) in built.into_iter().zip(&mut parts) {
                 let word = tree.append::<L>(below, root);
                 set(&mut tree.nodes[part.node], part.slot, &part.run, word);
             }
@@ -232,8 +231,10 @@ fn place(top: Top, nodes: &mut Vec<Node>, waiting: &mut Vec<Waiting>) -> u32 {
 }
 
 impl<T> Tree<T> {
-    /// Adds another tree and returns the word of its root.
-    fn append<L: Leaves<Leaf = T>>(&mut self, mut other: Tree<T>, root: u32) -> u32 {
+    const EMPTY: Tree<T> = Tree { nodes: Vec::new(), leaves: Vec::new() };
+
+    /// Takes all of another tree, leaving that its memory, and returns the word of its root.
+    fn append<L: Leaves<Leaf = T>>(&mut self, other: &mut Tree<T>, root: u32) -> u32 {
         let (nodes, leaves) = (self.nodes.len() as u32, self.leaves.len());
         let moved = |word: u32| if word & Child::LEAF == 0 { word + nodes } else { L::moved(word, leaves) };
         for word in other.nodes.iter_mut().flat_map(|node| &mut node.child) {
@@ -247,8 +248,5 @@ impl<T> Tree<T> {
 
 fn set(node: &mut Node, slot: usize, run: &Run, word: u32) {
     node.child[slot] = word;
-    for axis in 0..3 {
-        node.bounds[axis][slot] = run.bounds.lo[axis];
-        node.bounds[axis + 3][slot] = run.bounds.hi[axis];
-    }
+    node.set_bounds(slot, &run.bounds);
 }

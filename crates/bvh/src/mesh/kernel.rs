@@ -28,7 +28,10 @@ macro_rules! kernel {
                 far: [*const u8; 3],
                 /// Where the first node has its children.
                 child: *const u8,
+                nodes: *const u8,
                 blocks: *const u8,
+                /// Is most of the tree in no cache?
+                far_off: bool,
                 t_min: __m256,
             }
 
@@ -59,7 +62,9 @@ macro_rules! kernel {
                         near: [row(slab.near[0]), row(slab.near[1]), row(slab.near[2])],
                         far: [row(slab.far[0]), row(slab.far[1]), row(slab.far[2])],
                         child: row(6),
+                        nodes: row(0),
                         blocks: bvh.blocks.as_ptr().cast(),
+                        far_off: bvh.far_off,
                         t_min: _mm256_set1_ps(t_min),
                     }
                 }
@@ -98,7 +103,9 @@ macro_rules! kernel {
                         near: [row(side[0]), row(32 + side[1]), row(64 + side[2])],
                         far: [row(96 - side[0]), row(128 - side[1]), row(160 - side[2])],
                         child: row(192),
+                        nodes: row(0),
                         blocks: bvh.blocks.as_ptr().cast(),
+                        far_off: bvh.far_off,
                         t_min: _mm256_broadcast_ss(&ray.t_min),
                     }
                 }
@@ -128,6 +135,25 @@ macro_rules! kernel {
                 fn child(&self, node: u32, slot: usize) -> u32 {
                     // SAFETY: words are places that the builder made, and a node has eight children.
                     unsafe { self.child.add(node as usize * UNIT).cast::<u32>().add(slot & 7).read() }
+                }
+
+                /// Has the processor fetch what a word names, where the tree is too large to be at hand.
+                #[inline]
+                #[target_feature(enable = $features)]
+                fn prefetch(&self, word: u32) {
+                    if !self.far_off {
+                        return;
+                    }
+                    let base = if word & LEAF == 0 { self.nodes } else { self.blocks };
+                    let at = base.wrapping_add((word & !LEAF) as usize * UNIT).cast::<i8>();
+                    // SAFETY: a prefetch of any address is harmless; newer compilers know that.
+                    #[allow(unused_unsafe)]
+                    unsafe {
+                        _mm_prefetch::<_MM_HINT_T0>(at);
+                        _mm_prefetch::<_MM_HINT_T0>(at.wrapping_add(64));
+                        _mm_prefetch::<_MM_HINT_T0>(at.wrapping_add(128));
+                        _mm_prefetch::<_MM_HINT_T0>(at.wrapping_add(192));
+                    }
                 }
 
                 /// The block that a leaf's word names.
@@ -171,11 +197,13 @@ macro_rules! kernel {
                             continue;
                         }
                         let mut nearest = entry(t[first], boxes.child(word, first));
+                        boxes.prefetch(nearest as u32);
                         let base = top;
                         while mask != 0 {
                             let slot = mask.trailing_zeros() as usize;
                             mask &= mask - 1;
                             let other = entry(t[slot & 7], boxes.child(word, slot));
+                            boxes.prefetch(other as u32);
                             let (near, far) =
                                 if other < nearest { (other, nearest) } else { (nearest, other) };
                             nearest = near;
@@ -246,8 +274,10 @@ macro_rules! kernel {
                         while mask != 0 {
                             let slot = mask.trailing_zeros() as usize;
                             mask &= mask - 1;
+                            let other = boxes.child(node, slot);
+                            boxes.prefetch(other);
                             // SAFETY: top stays under STACK by the builder's depth bound.
-                            unsafe { stack.get_unchecked_mut(top).write(boxes.child(node, slot)) };
+                            unsafe { stack.get_unchecked_mut(top).write(other) };
                             top += 1;
                         }
                     }

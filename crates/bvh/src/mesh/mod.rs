@@ -17,6 +17,7 @@ mod kernel;
 mod build;
 mod double;
 mod packet;
+mod refit;
 mod scalar;
 mod wide;
 
@@ -66,7 +67,7 @@ pub(crate) const LANES: usize = 4;
 
 /// Up to four triangles; unused lanes have corners that are not numbers, which no test lets pass.
 #[derive(Clone, Copy, Debug)]
-#[repr(C, align(16))]
+#[repr(C, align(32))]
 pub(crate) struct Block {
     /// `corner[k][axis][lane]`
     pub corner: [[[f32; LANES]; 3]; 3],
@@ -79,6 +80,9 @@ pub(crate) const LEAF: u32 = Child::LEAF;
 
 /// What the places in child words are multiples of: the largest factor that an address can have.
 pub(crate) const UNIT: usize = 8;
+
+/// Trees of more bytes are taken to be in no cache.
+const CACHED: usize = 16 << 20;
 
 /// The word of the root.
 pub(crate) const ROOT: u32 = 0;
@@ -93,6 +97,8 @@ pub struct MeshBvh {
     pub(crate) blocks: Vec<Block>,
     bounds: Aabb,
     isa: wide::Isa,
+    /// Is most of it in no cache, so that rays had better call for their next nodes early?
+    far_off: bool,
 }
 
 /// Sixteen rays that start close to each other and go much the same way.
@@ -153,7 +159,8 @@ impl MeshBvh {
             *word = leaf | ((*word & !LEAF) * (size / UNIT) as u32);
         }
         let isa = *wide::Isa::all().last().unwrap_or(&wide::Isa::Scalar);
-        MeshBvh { nodes, blocks, bounds, isa }
+        let far_off = size_of_val(&nodes[..]) + size_of_val(&blocks[..]) > CACHED;
+        MeshBvh { nodes, blocks, bounds, isa, far_off }
     }
 
     /// The node that a word names.
@@ -169,6 +176,19 @@ impl MeshBvh {
     /// A box around all triangles.
     pub fn bounds(&self) -> Aabb {
         self.bounds
+    }
+
+    /// A few boxes around parts of the mesh, which together hold all triangles: those of the top two levels. Turned,
+    /// they tell much better where the mesh then is than the box around it all.
+    pub fn parts(&self) -> Vec<Aabb> {
+        let mut parts = Vec::new();
+        for (b, word) in self.nodes[0].children() {
+            match word & LEAF {
+                0 => parts.extend(self.node(word).children().map(|(b, _)| b)),
+                _ => parts.push(b),
+            }
+        }
+        parts
     }
 
     /// The size of the whole structure in bytes.

@@ -299,3 +299,43 @@ fn broken_rays_end_and_hit_nothing() {
         }
     }
 }
+
+/// Parts of the mesh, turned, hold all of it, and more tightly than the turned box of the whole.
+#[test]
+fn parts_hold_all_triangles() {
+    let (vertices, triangles) = soup(500, 0.1, &mut Random(21));
+    let bvh = MeshBvh::build(&vertices, &triangles);
+    let parts = bvh.parts();
+    assert!(parts.len() > 8 && parts.len() <= 64);
+    for corner in triangles.iter().flatten() {
+        let p = Vec3::from_array(vertices[*corner as usize].map(f64::from));
+        assert!(parts.iter().any(|part| part.contains(p)), "{p}");
+    }
+    assert_eq!(parts.iter().fold(Aabb::EMPTY, |all, part| all.union(part)), bvh.bounds());
+    assert!(MeshBvh::build(&vertices, &[]).parts().is_empty());
+    assert_eq!(MeshBvh::build(&vertices, &triangles[..1]).parts().len(), 1);
+}
+
+/// A tree whose vertices have moved answers like one that was built where they are now, in small and in large meshes.
+#[test]
+fn a_tree_follows_its_vertices() {
+    let mut random = Random(23);
+    for count in [0, 3, 300, times(40_000)] {
+        let (mut vertices, triangles) = soup(count as u32, 0.05, &mut random);
+        let mut followed = MeshBvh::build(&vertices, &triangles);
+        for p in &mut vertices {
+            *p = [p[0] + 0.3 * p[1] * p[1], p[1] - p[2] + 1.0, 2.0 * p[2]];
+        }
+        followed.refit(&vertices, &triangles);
+        let built = MeshBvh::build(&vertices, &triangles);
+        assert_eq!(followed.bounds(), built.bounds());
+        let mut hits = 0;
+        for _ in 0..times(500) {
+            let ray = ray(random.point().map(|c| 3.0 * c), random.point());
+            assert_eq!(followed.closest(&ray).map(|h| h.t), built.closest(&ray).map(|h| h.t), "{ray:?}");
+            assert_eq!(followed.any(&ray), built.any(&ray), "{ray:?}");
+            hits += u32::from(built.any(&ray));
+        }
+        assert!(hits > 0 || count < 300 || cfg!(miri));
+    }
+}

@@ -19,6 +19,8 @@ const SAME_NORMAL: f64 = 1e-10;
 pub(crate) struct MeshShape {
     mesh: Arc<Mesh>,
     triangles: MeshBvh,
+    /// See [`MeshBvh::parts`].
+    parts: Vec<Aabb>,
 }
 
 impl From<TriangleHit> for LocalHit {
@@ -30,7 +32,8 @@ impl From<TriangleHit> for LocalHit {
 impl MeshShape {
     pub(crate) fn new(mesh: &Arc<Mesh>) -> Self {
         let triangles = MeshBvh::build(&mesh.vertices, &mesh.faces.corners);
-        MeshShape { mesh: mesh.clone(), triangles }
+        let parts = triangles.parts();
+        MeshShape { mesh: mesh.clone(), triangles, parts }
     }
 
     /// The nearest hit, or any that `stops` says yes to.
@@ -74,6 +77,11 @@ fn weights(hit: &LocalHit) -> [f64; 3] {
 impl Surface for MeshShape {
     fn bounds(&self) -> Aabb {
         self.triangles.bounds()
+    }
+
+    fn reach(&self, along: Vec3) -> Option<f64> {
+        let farthest = |part: &Aabb| (part.min * along).max(part.max * along).element_sum();
+        Some(self.parts.iter().map(farthest).fold(f64::NEG_INFINITY, f64::max))
     }
 
     fn hits(&self, ray: &Ray, range: (f64, f64), out: &mut Vec<LocalHit>) {

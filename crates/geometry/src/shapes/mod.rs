@@ -158,7 +158,7 @@ pub(crate) fn build(shape: &Shape) -> Result<ShapeKind, BuildError> {
         }
         Shape::Ovus { bottom, top } => ShapeKind::Ovus(ovus::Ovus::new(*bottom, *top)),
         Shape::BicubicPatch { flatness, u_steps, v_steps, points, uv, .. } => {
-            patch(points, *flatness, (*u_steps, *v_steps), *uv)
+            patch(points, *flatness, (*u_steps, *v_steps), **uv)
         }
         Shape::HeightField(field) => {
             ShapeKind::HeightField(Box::new(height_field::HeightField::new(field.clone())))
@@ -192,7 +192,7 @@ pub(crate) fn moved(shape: &Shape, world_from_object: &Affine) -> Option<ShapeKi
             if !is_rigid(world_from_object) =>
         {
             let points = points.map(|row| row.map(|p| world_from_object.transform_point3(p)));
-            Some(patch(&points, *flatness, (*u_steps, *v_steps), *uv))
+            Some(patch(&points, *flatness, (*u_steps, *v_steps), **uv))
         }
         Shape::Blob(blob) if !is_rigid(world_from_object) => {
             Some(ShapeKind::Blob(blob::Blob::new(blob, world_from_object)))

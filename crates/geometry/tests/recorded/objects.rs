@@ -146,7 +146,7 @@ pub fn object(name: &str) -> Object {
         "triangle" => solid(Shape::Triangle { points: corners }),
         "smooth_triangle" => solid(Shape::SmoothTriangle {
             points: corners,
-            normals: [v(-0.5, 0., -1.), v(0.5, -0.2, -1.), v(0., 0.5, -1.)].map(Vec3::normalize),
+            normals: Box::new([v(-0.5, 0., -1.), v(0.5, -0.2, -1.), v(0., 0.5, -1.)].map(Vec3::normalize)),
         }),
         "polygon" => polygon(),
         "mesh" => tetrahedron(),

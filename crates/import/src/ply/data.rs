@@ -8,6 +8,16 @@ pub(super) trait Numbers {
     fn number(&mut self, scalar: Scalar) -> Result<f64>;
     /// How many bytes are left.
     fn left(&self) -> usize;
+    /// The next so many bytes, where numbers are in binary and so many are left.
+    fn bytes(&self, _count: usize) -> Option<&[u8]> {
+        None
+    }
+    /// Leaves out so many of those bytes.
+    fn skip(&mut self, _bytes: usize) {}
+    /// The number at a place among those bytes; not a number where there is none.
+    fn at(_bytes: &[u8], _place: usize, _scalar: Scalar) -> f64 {
+        f64::NAN
+    }
     /// An error at the number read last.
     fn error<T>(&self, what: &str) -> Result<T>;
 }
@@ -51,6 +61,19 @@ impl<const BIG_ENDIAN: bool> Numbers for Binary<'_, BIG_ENDIAN> {
 
     fn left(&self) -> usize {
         self.bytes.len() - self.at
+    }
+
+    fn bytes(&self, count: usize) -> Option<&[u8]> {
+        self.bytes[self.at..].get(..count)
+    }
+
+    fn skip(&mut self, bytes: usize) {
+        self.at += bytes;
+    }
+
+    #[inline(always)]
+    fn at(bytes: &[u8], place: usize, scalar: Scalar) -> f64 {
+        Binary::<BIG_ENDIAN> { bytes, at: place }.number(scalar).unwrap_or(f64::NAN)
     }
 
     fn error<T>(&self, what: &str) -> Result<T> {

@@ -4,10 +4,13 @@
 //! among them, is read over.
 mod data;
 mod header;
+mod rows;
 
 use data::{Binary, Numbers, Text};
 use header::{Element, Encoding, Header};
 use raggio_scene::{FaceIndices, Faces, Mesh};
+use rayon::prelude::*;
+use rows::Layout;
 
 use crate::{ImportError, Result, draft};
 
@@ -45,7 +48,7 @@ fn tables<N: Numbers>(header: &Header, mut numbers: N) -> Result<Mesh> {
         }
     }
     let count = mesh.vertices.len();
-    if mesh.faces.corners.iter().flatten().any(|&i| i as usize >= count) {
+    if mesh.faces.corners.par_iter().any(|corners| corners.iter().any(|&i| i as usize >= count)) {
         return Err(ImportError::Whole(format!("a face names a vertex beyond the last of {count}")));
     }
     draft::finished(mesh)
@@ -86,6 +89,15 @@ fn vertices<N: Numbers>(element: &Element, numbers: &mut N, mesh: &mut Mesh) -> 
     };
     let normal = places(&[&["nx"], &["ny"], &["nz"]]);
     let uv = places(&[&["u", "s", "texture_u"], &["v", "t", "texture_v"]]);
+    if normal.is_some() {
+        mesh.faces.normals = FaceIndices::Corners;
+    }
+    if uv.is_some() {
+        mesh.faces.uvs = FaceIndices::Corners;
+    }
+    if even_vertices(element, numbers, mesh, [Some(&place), normal.as_ref(), uv.as_ref()]).is_some() {
+        return Ok(());
+    }
     mesh.vertices.reserve_exact(element.count);
     let mut values = vec![0.0; element.properties.len()];
     for _ in 0..element.count {
@@ -98,13 +110,37 @@ fn vertices<N: Numbers>(element: &Element, numbers: &mut N, mesh: &mut Mesh) -> 
             mesh.uvs.push(finite([values[uv[0]], values[uv[1]]], numbers)?);
         }
     }
-    if normal.is_some() {
-        mesh.faces.normals = FaceIndices::Corners;
-    }
-    if uv.is_some() {
-        mesh.faces.uvs = FaceIndices::Corners;
-    }
     Ok(())
+}
+
+/// All vertices, if their rows are equally long and nothing is wrong with them. Places, normals and texture coordinates
+/// are where `columns` says.
+fn even_vertices<N: Numbers>(
+    element: &Element,
+    numbers: &mut N,
+    mesh: &mut Mesh,
+    columns: [Option<&Vec<usize>>; 3],
+) -> Option<()> {
+    let layout = Layout::of(&element.properties)?;
+    let rows = layout.rows(element.count, numbers)?;
+    let points = |columns: &Vec<usize>| layout.points::<3, N>(rows, columns);
+    let vertices = points(columns[0]?)?;
+    let normals = columns[1].map_or(Some(Vec::new()), points)?;
+    let uvs = columns[2].map_or(Some(Vec::new()), |columns| layout.points::<2, N>(rows, columns))?;
+    (mesh.vertices, mesh.normals, mesh.uvs) = (vertices, normals, uvs);
+    let read = rows.len();
+    numbers.skip(read);
+    Some(())
+}
+
+/// All faces, if their rows are equally long and they are triangles, with which nothing is wrong.
+fn even_faces<N: Numbers>(element: &Element, list: usize, numbers: &mut N) -> Option<Vec<[u32; 3]>> {
+    let (layout, list) = Layout::of_triangles(&element.properties, list)?;
+    let rows = layout.rows(element.count, numbers)?;
+    let triangles = layout.triangles::<N>(rows, list)?;
+    let read = rows.len();
+    numbers.skip(read);
+    Some(triangles)
 }
 
 fn finite<const K: usize, N: Numbers>(values: [f64; K], numbers: &N) -> Result<[f32; K]> {
@@ -119,6 +155,12 @@ fn faces<N: Numbers>(element: &Element, numbers: &mut N, faces: &mut Faces) -> R
     let Some(list) = list.filter(|&i| element.properties[i].length.is_some()) else {
         return Err(ImportError::Whole("the faces have no list of vertex_indices".to_owned()));
     };
+    if faces.is_empty()
+        && let Some(triangles) = even_faces(element, list, numbers)
+    {
+        faces.corners = triangles;
+        return Ok(());
+    }
     let split = |range: std::ops::Range<usize>| {
         let properties = element.properties[range].to_vec();
         Element { name: String::new(), count: 1, properties }

@@ -52,7 +52,7 @@ pub fn bicubic_patch(p: &mut Parser) -> Result<Object> {
             }
             return Ok(Shape::Nurbs(Arc::new(surface(&points))));
         }
-        Ok(Shape::BicubicPatch { patch_type, flatness, u_steps, v_steps, points, uv })
+        Ok(Shape::BicubicPatch { patch_type, flatness, u_steps, v_steps, points, uv: Box::new(uv) })
     })
 }
 

@@ -30,7 +30,7 @@ pub fn smooth_triangle(p: &mut Parser) -> Result<Object> {
         let face = face_normal(points);
         let sides = normals.map(|n| n.dot(face));
         if sides.iter().all(|&s| s > 0.0) || sides.iter().all(|&s| s < 0.0) {
-            return Ok(of_shape(Shape::SmoothTriangle { points, normals }));
+            return Ok(of_shape(Shape::SmoothTriangle { points, normals: Box::new(normals) }));
         }
         p.warn(
             "degenerate-triangle",

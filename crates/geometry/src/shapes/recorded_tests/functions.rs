@@ -88,9 +88,23 @@ pub(super) fn bicubic(name: &'static str) -> Subject {
     ]);
     let uv = |x: f64| [Vec2::ZERO, Vec2::new(x, 0.), Vec2::new(x, 1.), Vec2::new(0., 1.)];
     let shape = if name == "bicubic0" {
-        Shape::BicubicPatch { patch_type: 0, flatness: 0.05, u_steps: 3, v_steps: 2, points, uv: uv(1.0) }
+        Shape::BicubicPatch {
+            patch_type: 0,
+            flatness: 0.05,
+            u_steps: 3,
+            v_steps: 2,
+            points,
+            uv: Box::new(uv(1.0)),
+        }
     } else {
-        Shape::BicubicPatch { patch_type: 1, flatness: 0.0, u_steps: 3, v_steps: 3, points, uv: uv(2.0) }
+        Shape::BicubicPatch {
+            patch_type: 1,
+            flatness: 0.0,
+            u_steps: 3,
+            v_steps: 3,
+            points,
+            uv: Box::new(uv(2.0)),
+        }
     };
     plain(name, shape)
 }
