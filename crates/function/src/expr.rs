@@ -3,7 +3,7 @@ use std::any::Any;
 use std::fmt::Debug;
 use std::sync::Arc;
 
-use crate::Function;
+use crate::{Bounds, Function};
 
 /// A node of a function's body. Parameters and `sum`/`prod` counters are numbered slots.
 #[derive(Clone, Debug)]
@@ -122,6 +122,10 @@ pub struct Internal(pub u8);
 pub trait External: Debug + Send + Sync {
     /// The answer at `args` (three coordinates, or one for a spline); unused components are 0.
     fn eval(&self, args: &[f64]) -> [f64; 5];
+    /// Where the answer lies over bounds of the arguments, and its slopes; by default nothing is known.
+    fn enclose(&self, _args: &[Bounds]) -> [Bounds; 5] {
+        [Bounds::UNKNOWN; 5]
+    }
     /// How many components the answer has, 1 to 5. A pattern has 1, a transform 3, a pigment 5.
     fn components(&self) -> usize;
     /// The implementor itself.

@@ -54,6 +54,16 @@ impl Function {
         }
     }
 
+    /// Does another function surely give the same values, bit for bit?
+    pub fn same(&self, other: &Function) -> bool {
+        self.params == other.params
+            && match (&self.body, &other.body) {
+                (Body::Expr { program: a, .. }, Body::Expr { program: b, .. }) => a.same(b),
+                (Body::External(a), Body::External(b)) => Arc::ptr_eq(a, b),
+                _ => false,
+            }
+    }
+
     /// The external that this function is, if it is one.
     pub fn as_external(&self) -> Option<&Arc<dyn External>> {
         match &self.body {
@@ -96,7 +106,7 @@ impl Function {
         }
     }
 
-    /// Where the value and its slopes lie over bounds of the arguments; nothing is known of externals.
+    /// Where the value and its slopes lie over bounds of the arguments.
     pub fn enclose(&self, args: &[Bounds]) -> Bounds {
         self.enclose_openly(args).settled()
     }
@@ -105,7 +115,7 @@ impl Function {
     pub(crate) fn enclose_openly(&self, args: &[Bounds]) -> Bounds {
         match &self.body {
             Body::Expr { program, .. } => program.enclose(args),
-            Body::External(_) => Bounds::UNKNOWN,
+            Body::External(e) => e.enclose(args)[0],
         }
     }
 

@@ -111,6 +111,29 @@ proptest! {
 }
 
 #[test]
+fn functions_are_the_same_if_they_compute_the_same() {
+    let scaled = |k: f64| Function::new(2, binary(BinaryOp::Mul, Expr::Slot(0), Expr::Const(k)));
+    assert!(scaled(2.0).same(&scaled(2.0)));
+    assert!(!scaled(2.0).same(&scaled(3.0)));
+    assert!(!scaled(2.0).same(&Function::new(2, Expr::Slot(0))));
+}
+
+#[test]
+fn slopes_of_a_length_are_known_around_its_axis() {
+    // A box around a rounded box's face: the function is the distance from a plane there, less the radius.
+    let mut args: Vec<Expr> = (0..3).map(Expr::Slot).collect();
+    args.extend([0.3, 1.5, 1.5, 1.5].map(Expr::Const));
+    let names = (0..79).map(Internal).find(|i| i.name() == Some("rounded_box"));
+    let f = Function::new(3, Expr::Internal(names.expect("a rounded box"), args));
+    let place = [(1.3, 1.4), (-0.1, 0.1), (-0.1, 0.1)];
+    let bounds = f.enclose(&std::array::from_fn::<_, 3, _>(|k| {
+        Bounds::variable(k, Range::new(place[k].0, place[k].1))
+    }));
+    assert_eq!(bounds.slopes[0], Range::new(1.0, 1.0));
+    assert_eq!(bounds.slopes[1], Range::new(0.0, 0.0));
+}
+
+#[test]
 fn bounds_are_tight_where_nothing_depends() {
     let product = Function::new(2, binary(BinaryOp::Mul, Expr::Slot(0), Expr::Slot(1)));
     let bounds = product

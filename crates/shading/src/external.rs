@@ -4,7 +4,7 @@ use std::cell::Cell;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering};
 
-use raggio_function::External;
+use raggio_function::{Bounds, External};
 use raggio_math::Vec3;
 use raggio_scene as scene;
 
@@ -68,6 +68,10 @@ fn point(args: &[f64]) -> Vec3 {
     Vec3::new(at(0), at(1), at(2))
 }
 
+fn place(args: &[Bounds]) -> [Bounds; 3] {
+    std::array::from_fn(|k| args.get(k).copied().unwrap_or(Bounds::constant(0.0)))
+}
+
 impl External for PigmentFunction {
     fn eval(&self, args: &[f64]) -> [f64; 5] {
         let p = point(args);
@@ -84,6 +88,10 @@ impl External for PigmentFunction {
         })
     }
 
+    fn enclose(&self, args: &[Bounds]) -> [Bounds; 5] {
+        self.pigment.enclose(place(args))
+    }
+
     fn components(&self) -> usize {
         5
     }
@@ -96,6 +104,12 @@ impl External for PigmentFunction {
 impl External for PatternFunction {
     fn eval(&self, args: &[f64]) -> [f64; 5] {
         [self.pattern.eval(point(args), &Context::NONE), 0.0, 0.0, 0.0, 0.0]
+    }
+
+    fn enclose(&self, args: &[Bounds]) -> [Bounds; 5] {
+        let mut answer = [Bounds::constant(0.0); 5];
+        answer[0] = self.pattern.enclose(place(args));
+        answer
     }
 
     fn components(&self) -> usize {

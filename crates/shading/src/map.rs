@@ -1,4 +1,6 @@
 //! Maps: what a pattern's value looks up (textures spec, section 9.1).
+use raggio_function::{Bounds, Range};
+use raggio_image::Color;
 
 /// Entries by position.
 #[derive(Debug)]
@@ -80,6 +82,47 @@ impl<T> Map<T> {
     }
 }
 
+/// Components of colours are found in single precision.
+const COARSE: f64 = 1e-7;
+
+impl Map<Color> {
+    /// Bounds of the colour's components over bounds of the value; nothing is known where the colour jumps.
+    pub fn enclose(&self, v: Bounds) -> [Bounds; 5] {
+        let Range { lo, hi } = v.value;
+        let (Some(&first), Some(&last)) = (self.positions.first(), self.positions.last()) else {
+            return [Bounds::constant(0.0); 5];
+        };
+        let jumps = self.positions.windows(2).any(|w| w[0] == w[1] && v.value.contains(f64::from(w[0])));
+        if v.is_vague() || !self.sorted || jumps {
+            return [Bounds::UNKNOWN; 5];
+        }
+        let at = |v: f64| match self.at(v) {
+            Blend::One(color) => color.copied().unwrap_or_default(),
+            Blend::Two(low, high, t) => low.lerp(*high, t),
+        };
+        let entries = || self.positions.iter().map(|&p| f64::from(p)).zip(self.items.iter());
+        std::array::from_fn(|k| {
+            let mut value = Range::one(at(lo).to_array()[k]).hull(Range::one(at(hi).to_array()[k]));
+            // Beyond the ends nothing changes.
+            let flat = lo < f64::from(first) || hi > f64::from(last) || first == last;
+            let mut slope = flat.then_some(Range::ZERO);
+            for ((p, a), (q, b)) in entries().zip(entries().skip(1)) {
+                let (a, b) = (a.to_array()[k], b.to_array()[k]);
+                if p <= hi && lo <= q && p < q {
+                    let here = Range::one((b - a) / (q - p));
+                    slope = Some(slope.map_or(here, |s| s.hull(here)));
+                }
+                for (place, v) in [(p, a), (q, b)] {
+                    if lo < place && place < hi {
+                        value = value.hull(Range::one(v));
+                    }
+                }
+            }
+            v.through(value + Range::within(COARSE * value.size()), slope.unwrap_or(Range::ZERO))
+        })
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -137,6 +180,22 @@ mod tests {
         );
         assert_eq!(colors(&[(0.2, 'a')]).tail(), Some((f64::from(0.2f32), &'a')));
         assert_eq!(colors(&[(0.6, 'a'), (0.2, 'b')]).tail(), None);
+    }
+
+    #[test]
+    fn bounds_of_colours_hold_what_lies_between() {
+        let grey = |v: f32| Color { rgb: raggio_image::Rgb::splat(v), ..Color::default() };
+        let map = Map::new([(0.0, grey(0.0)), (0.5, grey(1.0)), (1.0, grey(0.5))]);
+        let over = |lo: f64, hi: f64| map.enclose(Bounds::variable(0, Range::new(lo, hi)))[0];
+        let close = |r: Range, lo: f64, hi: f64| (r.lo - lo).abs() < 1e-6 && (r.hi - hi).abs() < 1e-6;
+        let rising = over(0.1, 0.4);
+        assert!(close(rising.value, 0.2, 0.8) && close(rising.slopes[0], 2.0, 2.0), "{rising:?}");
+        let bent = over(0.4, 0.75);
+        assert!(close(bent.value, 0.75, 1.0) && close(bent.slopes[0], -1.0, 2.0), "{bent:?}");
+        let beyond = over(0.75, 1.5);
+        assert!(close(beyond.value, 0.5, 0.75) && close(beyond.slopes[0], -1.0, 0.0), "{beyond:?}");
+        let jumping = Map::new([(0.0, grey(0.0)), (0.5, grey(0.2)), (0.5, grey(1.0))]);
+        assert!(jumping.enclose(Bounds::variable(0, Range::new(0.4, 0.6)))[0].is_vague());
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! Pigments: from a point to a colour (textures spec, sections 7 and 9).
 use std::sync::Arc;
 
+use raggio_function::Bounds;
 use raggio_image::{Color, Rgb};
 use raggio_math::Vec3;
 use raggio_scene::{self as scene, PatternKind, PigmentKind};
@@ -176,6 +177,15 @@ impl Pigment {
             }
             Kind::Image { warps, image } => image_color(image.color(warps.apply(p))),
             Kind::Uv(inner) => inner.sample(context.uv_point(), context),
+        }
+    }
+
+    /// Where the colour's components lie over bounds of a point, if anything is known of them.
+    pub(crate) fn enclose(&self, p: [Bounds; 3]) -> [Bounds; 5] {
+        match &self.kind {
+            Kind::Solid(color) => color.to_array().map(Bounds::constant),
+            Kind::Colors { pattern, map } => map.enclose(pattern.enclose(p)),
+            _ => [Bounds::UNKNOWN; 5],
         }
     }
 

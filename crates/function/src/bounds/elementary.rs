@@ -5,8 +5,10 @@ use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 use super::{Bounds, Range, VARIABLES};
 use crate::{BinaryOp, Builtin};
 
-fn each(f: impl Fn(usize) -> Range) -> [Range; VARIABLES] {
-    std::array::from_fn(f)
+/// For each variable. Written out, for `from_fn` is not opened in place.
+#[inline(always)]
+pub(super) fn each(f: impl Fn(usize) -> Range) -> [Range; VARIABLES] {
+    [f(0), f(1), f(2)]
 }
 
 impl Add for Bounds {
@@ -33,7 +35,7 @@ impl Neg for Bounds {
     type Output = Bounds;
     #[inline]
     fn neg(self) -> Bounds {
-        Bounds { value: -self.value, slopes: self.slopes.map(|s| -s), turns: self.turns }
+        Bounds { value: -self.value, slopes: each(|k| -self.slopes[k]), turns: self.turns }
     }
 }
 
@@ -130,7 +132,7 @@ impl Bounds {
             -self
         } else {
             let value = Range { lo: 0.0, hi: self.value.size() };
-            Bounds::new(value, self.slopes.map(|s| s.hull(-s)))
+            Bounds::new(value, each(|k| self.slopes[k].hull(-self.slopes[k])))
         }
     }
 
@@ -161,7 +163,8 @@ impl Bounds {
         -(-self).min(-o.into())
     }
 
-    pub(crate) fn clamp(self, low: f64, high: f64) -> Bounds {
+    /// Within two numbers.
+    pub fn clamp(self, low: f64, high: f64) -> Bounds {
         self.max(low).min(high)
     }
 
@@ -175,6 +178,33 @@ impl Bounds {
     pub(crate) fn cos(self) -> Bounds {
         let quarter = Bounds { value: self.value + Range::one(FRAC_PI_2), ..self };
         quarter.sin()
+    }
+
+    /// The length of a vector. Its slope along a component is the component's share of it, within -1 and 1: it rises
+    /// with the component and is the flatter the longer the others are.
+    pub(crate) fn length(v: [Bounds; 3]) -> Bounds {
+        if v.iter().any(Bounds::is_vague) {
+            return Bounds::UNKNOWN;
+        }
+        let [x, y, z] = [v[0].value, v[1].value, v[2].value];
+        let squares = [x.squared(), y.squared(), z.squared()];
+        let square = squares[0] + squares[1] + squares[2];
+        if square.hi == f64::INFINITY {
+            return Bounds::UNKNOWN;
+        }
+        let share = |own: f64, rest: f64| {
+            let length = (own * own + rest).sqrt();
+            if length > 0.0 { own / length } else { 0.0 }
+        };
+        let gradient = each(|k| {
+            let (own, rest) = (v[k].value, squares[(k + 1) % 3] + squares[(k + 2) % 3]);
+            Range {
+                lo: share(own.lo, if own.lo > 0.0 { rest.hi } else { rest.lo }),
+                hi: share(own.hi, if own.hi > 0.0 { rest.lo } else { rest.hi }),
+            }
+        });
+        let value = square.rising(f64::sqrt);
+        Bounds::of_point(value, gradient, &v)
     }
 
     pub(crate) fn exp(self) -> Bounds {

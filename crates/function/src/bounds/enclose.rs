@@ -1,4 +1,6 @@
 //! Runs a program on bounds instead of numbers.
+use smallvec::SmallVec;
+
 use super::Bounds;
 use crate::internal::Args;
 use crate::program::{Code, Op, Program, Target};
@@ -9,7 +11,7 @@ const MOST_STEPS: usize = 10_000;
 impl Program {
     /// Bounds of the value over the arguments' bounds.
     pub(crate) fn enclose(&self, args: &[Bounds]) -> Bounds {
-        let mut r: Vec<Bounds> = self.template.iter().map(|&v| Bounds::constant(v)).collect();
+        let mut r: SmallVec<[Bounds; 16]> = self.template.iter().map(|&v| Bounds::constant(v)).collect();
         for (register, &arg) in self.params.iter().zip(args) {
             if let Some(register) = register {
                 r[*register as usize] = arg;
@@ -68,17 +70,19 @@ impl Program {
 
     fn enclose_call(&self, index: u32, r: &mut [Bounds]) {
         let call = &self.calls[index as usize];
-        let args: Vec<Bounds> = call.args.iter().map(|&i| r[i as usize]).collect();
-        let value = match &call.target {
-            Target::Internal(entry) => enclose_internal(entry.bounds, &args),
-            Target::Noise(generator) => match args[..] {
-                [x, y, z] => super::noise::enclose(*generator, [x, y, z]),
-                _ => Bounds::UNKNOWN,
-            },
-            Target::User(f) => f.enclose_openly(&args),
-            Target::External(_) => Bounds::UNKNOWN,
-        };
-        for &register in &call.outputs {
+        let args: SmallVec<[Bounds; 8]> = call.args.iter().map(|&i| r[i as usize]).collect();
+        let mut values = [Bounds::UNKNOWN; 5];
+        match &call.target {
+            Target::Internal(entry) => values[0] = enclose_internal(entry.bounds, &args),
+            Target::Noise(generator) => {
+                if let [x, y, z] = args[..] {
+                    values[0] = super::noise::enclose(*generator, [x, y, z]);
+                }
+            }
+            Target::User(f) => values[0] = f.enclose_openly(&args),
+            Target::External(e) => values = e.enclose(&args),
+        }
+        for (&register, value) in call.outputs.iter().zip(values) {
             r[register as usize] = value;
         }
     }

@@ -8,30 +8,50 @@ use super::range::{greater, lesser};
 use super::{Range, VARIABLES};
 
 /// Boxes that reach into more cells than this are too large to tell anything.
-const MOST_CELLS: f64 = 8.0;
+const MOST_CELLS: u32 = 8;
 
 /// The slopes of raw lattice noise over a box; `None` if the box is too large.
 pub(super) fn slopes(at: [Range; VARIABLES]) -> Option<[Range; VARIABLES]> {
-    let first = at.map(|r| r.lo.floor());
-    let count: [f64; VARIABLES] = std::array::from_fn(|k| at[k].hi.floor() - first[k] + 1.0);
-    // Not-a-number fails too.
-    if !(count.iter().product::<f64>() <= MOST_CELLS && first.iter().all(|c| c.abs() < 1e15)) {
+    let (x, y, z) = (Cells::along(at[0])?, Cells::along(at[1])?, Cells::along(at[2])?);
+    if x.count * y.count * z.count > MOST_CELLS {
         return None;
     }
     let mut all: Option<[Range; VARIABLES]> = None;
-    let mut cell = [0.0; VARIABLES];
-    loop {
-        let least: [f64; VARIABLES] = std::array::from_fn(|k| first[k] + cell[k]);
-        let part = |k: usize| {
-            let within = |v: f64| (v - least[k]).clamp(0.0, 1.0);
-            Range { lo: within(at[k].lo), hi: within(at[k].hi) }
-        };
-        let found = Part::new(std::array::from_fn(part)).slopes(&corners(least));
-        all = Some(all.map_or(found, |all| std::array::from_fn(|k| all[k].hull(found[k]))));
-        // The next cell, counting like an odometer.
-        let Some(k) = (0..VARIABLES).find(|&k| cell[k] + 1.0 < count[k]) else { return all };
-        cell[..k].fill(0.0);
-        cell[k] += 1.0;
+    for i in 0..x.count {
+        for j in 0..y.count {
+            for k in 0..z.count {
+                let (x, y, z) = (x.part(at[0], i), y.part(at[1], j), z.part(at[2], k));
+                let found = Part::new([x.1, y.1, z.1]).slopes(&corners([x.0, y.0, z.0]));
+                all = Some(match all {
+                    None => found,
+                    Some([x, y, z]) => [x.hull(found[0]), y.hull(found[1]), z.hull(found[2])],
+                });
+            }
+        }
+    }
+    all
+}
+
+/// The cells that a range reaches into.
+struct Cells {
+    first: f64,
+    count: u32,
+}
+
+impl Cells {
+    /// `None` if they are far too many, or so far out that there is no telling them apart.
+    fn along(r: Range) -> Option<Cells> {
+        let first = r.lo.floor();
+        let more = r.hi.floor() - first;
+        // Not-a-number fails too.
+        (more < f64::from(MOST_CELLS) && first.abs() < 1e15).then(|| Cells { first, count: more as u32 + 1 })
+    }
+
+    /// Where a cell begins, and the part of it that the range takes.
+    #[inline]
+    fn part(&self, r: Range, number: u32) -> (f64, Range) {
+        let least = self.first + f64::from(number);
+        (least, Range { lo: (r.lo - least).clamp(0.0, 1.0), hi: (r.hi - least).clamp(0.0, 1.0) })
     }
 }
 
@@ -47,47 +67,54 @@ struct Part {
 }
 
 impl Part {
-    fn new(part: [Range; VARIABLES]) -> Part {
-        let steepness = |f: f64| 6.0 * f * (1.0 - f);
+    #[inline]
+    fn new([x, y, z]: [Range; VARIABLES]) -> Part {
+        let weight = |r: Range| {
+            let at = |f: f64| f * f * (3.0 - 2.0 * f);
+            Range { lo: at(r.lo), hi: at(r.hi) }
+        };
+        let steepness = |r: Range| {
+            let at = |f: f64| 6.0 * f * (1.0 - f);
+            let (a, b) = (at(r.lo), at(r.hi));
+            Range { lo: lesser(a, b), hi: if r.contains(0.5) { 1.5 } else { greater(a, b) } }
+        };
         Part {
-            middle: part.map(Range::middle),
-            half: part.map(|r| 0.5 * r.width()),
-            weight: part.map(|r| r.rising(|f| f * f * (3.0 - 2.0 * f))),
-            steepness: part.map(|r| {
-                let ends = r.rising(steepness);
-                Range { lo: ends.lo, hi: if r.contains(0.5) { 1.5 } else { ends.hi } }
-            }),
+            middle: [x.middle(), y.middle(), z.middle()],
+            half: [0.5 * x.width(), 0.5 * y.width(), 0.5 * z.width()],
+            weight: [weight(x), weight(y), weight(z)],
+            steepness: [steepness(x), steepness(y), steepness(z)],
         }
     }
 
     /// The slopes of the noise.
     fn slopes(&self, corners: &[[f64; 4]; 8]) -> [Range; VARIABLES] {
-        std::array::from_fn(|k| {
-            let (i, j) = ((k + 1) % VARIABLES, (k + 2) % VARIABLES);
-            let bit = |axis: usize| 4 >> axis;
-            let of = |a: usize, b: usize| {
-                let near = a * bit(i) + b * bit(j);
-                self.edge(k, &corners[near], &corners[near + bit(k)], near)
-            };
-            let along_j = |a: usize| mean(of(a, 0), of(a, 1), self.weight[j]);
-            mean(along_j(0), along_j(1), self.weight[i])
-        })
+        [self.along::<0>(corners), self.along::<1>(corners), self.along::<2>(corners)]
     }
 
-    /// The slope along axis `k` of the mean of two corners that lie along it.
+    /// The slopes along axis `K`: a mean of those on the four edges along it.
     #[inline]
-    fn edge(&self, k: usize, a: &[f64; 4], b: &[f64; 4], near: usize) -> Range {
-        // How much more the far corner's linear function is; its way along k begins one unit farther.
-        let (mut more, mut off) = (b[0] - a[0] - b[k + 1], 0.0);
+    fn along<const K: usize>(&self, corners: &[[f64; 4]; 8]) -> Range {
+        let bit = |axis: usize| 4 >> axis;
+        let (i, j) = ((K + 1) % VARIABLES, (K + 2) % VARIABLES);
+        let edge = |near: usize| self.edge::<K>(&corners[near], &corners[near + bit(K)], near);
+        let low = mean(edge(0), edge(bit(j)), self.weight[j]);
+        let high = mean(edge(bit(i)), edge(bit(i) + bit(j)), self.weight[j]);
+        mean(low, high, self.weight[i])
+    }
+
+    /// The slope along axis `K` of the mean of two corners that lie along it.
+    #[inline(always)]
+    fn edge<const K: usize>(&self, a: &[f64; 4], b: &[f64; 4], near: usize) -> Range {
+        // How much more the far corner's linear function is; its way along the axis begins one unit farther.
+        let (mut more, mut off) = (b[0] - a[0] - b[K + 1], 0.0);
         for axis in 0..VARIABLES {
-            let begins = f64::from(u8::from(near & (4 >> axis) != 0));
+            let begins = if near & (4 >> axis) != 0 { 1.0 } else { 0.0 };
             let steeper = b[axis + 1] - a[axis + 1];
             more += (self.middle[axis] - begins) * steeper;
             off += self.half[axis] * steeper.abs();
         }
-        let (low, high, steepness) = (more - off, more + off, self.steepness[k]);
-        let gradient =
-            mean(Range { lo: a[k + 1], hi: a[k + 1] }, Range { lo: b[k + 1], hi: b[k + 1] }, self.weight[k]);
+        let (low, high, steepness) = (more - off, more + off, self.steepness[K]);
+        let gradient = means(a[K + 1], b[K + 1], self.weight[K]);
         Range {
             lo: gradient.lo + low * if low < 0.0 { steepness.hi } else { steepness.lo },
             hi: gradient.hi + high * if high > 0.0 { steepness.hi } else { steepness.lo },
@@ -95,12 +122,15 @@ impl Part {
     }
 }
 
+/// The weighted means of two numbers.
+#[inline(always)]
+fn means(a: f64, b: f64, weight: Range) -> Range {
+    let (low, high) = (a + weight.lo * (b - a), a + weight.hi * (b - a));
+    Range { lo: lesser(low, high), hi: greater(low, high) }
+}
+
 /// The weighted means of two ranges.
-#[inline]
+#[inline(always)]
 fn mean(a: Range, b: Range, weight: Range) -> Range {
-    let at = |a: f64, b: f64, w: f64| a + w * (b - a);
-    Range {
-        lo: lesser(at(a.lo, b.lo, weight.lo), at(a.lo, b.lo, weight.hi)),
-        hi: greater(at(a.hi, b.hi, weight.lo), at(a.hi, b.hi, weight.hi)),
-    }
+    Range { lo: means(a.lo, b.lo, weight).lo, hi: means(a.hi, b.hi, weight).hi }
 }

@@ -8,6 +8,7 @@ mod lattice;
 pub(crate) mod noise;
 mod range;
 
+use elementary::each;
 pub use range::Range;
 
 /// How many variables slopes are kept for.
@@ -36,7 +37,7 @@ impl Bounds {
 
     /// One of the variables, within a range.
     pub fn variable(axis: usize, range: Range) -> Bounds {
-        let slopes = std::array::from_fn(|k| Range::one(f64::from(u8::from(k == axis))));
+        let slopes = each(|k| Range::one(f64::from(u8::from(k == axis))));
         Bounds::new(range, slopes)
     }
 
@@ -57,7 +58,7 @@ impl Bounds {
 
     /// Can nothing be told from the value?
     #[inline]
-    fn is_vague(&self) -> bool {
+    pub fn is_vague(&self) -> bool {
         self.turns != 0.0 || self.value.is_all()
     }
 
@@ -68,8 +69,17 @@ impl Bounds {
 
     /// The value of a function of this, whose derivative lies in a range.
     #[inline]
-    fn through(&self, value: Range, derivative: Range) -> Bounds {
-        Bounds::new(value, self.slopes.map(|s| s * derivative))
+    pub fn through(&self, value: Range, derivative: Range) -> Bounds {
+        Bounds::new(value, each(|k| self.slopes[k] * derivative))
+    }
+
+    /// The value of a function of a point, whose partial derivatives lie in ranges.
+    pub fn of_point(value: Range, gradient: [Range; VARIABLES], at: &[Bounds; VARIABLES]) -> Bounds {
+        let slope = |v: usize| {
+            let part = |k: usize| gradient[k] * at[k].slopes[v];
+            part(0) + part(1) + part(2)
+        };
+        Bounds::new(value, each(slope))
     }
 
     /// Either of two, with a jump between them.

@@ -5,6 +5,7 @@
 //! have a bound that holds everywhere.
 use raggio_math::Vec3;
 
+use super::elementary::each;
 use super::{Bounds, Range, VARIABLES, lattice};
 
 /// Step of the central differences.
@@ -32,20 +33,19 @@ pub(crate) fn enclose(generator: u8, at: [Bounds; 3]) -> Bounds {
 
 /// The noise of the second or the third generator.
 fn smooth(generator: u8, at: [Bounds; 3]) -> Bounds {
-    let half = Vec3::from(at.map(|b| 0.5 * b.value.width()));
-    let middle = Vec3::from(at.map(|b| b.value.middle()));
+    let [x, y, z] = [at[0].value, at[1].value, at[2].value];
+    let half = 0.5 * Vec3::new(x.width(), y.width(), z.width());
+    let middle = Vec3::new(x.middle(), y.middle(), z.middle());
     let steepest = Range::within(STEEPEST);
     let gradient = match generator {
         3 => bent(generator, middle, half),
-        _ => lattice::slopes(at.map(|b| b.value)).map(|raw| raw.map(|slope| slope * (1.0 / STRETCH))),
+        _ => lattice::slopes([x, y, z]).map(|raw| each(|k| raw[k] * (1.0 / STRETCH))),
     };
-    let gradient = gradient.unwrap_or([Range::ALL; VARIABLES]).map(|slope| steepest.meet(slope));
-    let away: f64 = (0..VARIABLES).map(|k| gradient[k].size() * half[k]).sum();
+    let gradient = gradient.map_or([steepest; VARIABLES], |found| each(|k| steepest.meet(found[k])));
+    let away = gradient[0].size() * half.x + gradient[1].size() * half.y + gradient[2].size() * half.z;
     let noise = raggio_math::noise::noise(generator, middle);
     let value = (Range::one(noise) + Range::within(away)).meet(Range { lo: 0.0, hi: 1.0 });
-    let slope = |v: usize| (0..VARIABLES).fold(Range::ZERO, |sum, k| sum + gradient[k] * at[k].slopes[v]);
-    let slopes: [Range; VARIABLES] = std::array::from_fn(slope);
-    Bounds::new(value, slopes)
+    Bounds::of_point(value, gradient, &at)
 }
 
 /// The gradient in the middle of a box, and how far it may bend from there.

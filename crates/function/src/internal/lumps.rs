@@ -1,7 +1,7 @@
 //! Solids of few words: distances, exponential lumps, prisms, coordinates.
 use std::f64::consts::PI;
 
-use super::{Args, N, length};
+use super::{Args, N, length, norm};
 
 pub fn blob(a: &Args) -> N {
     let (_, y2, z2) = a.squares();
@@ -77,7 +77,7 @@ pub fn th(a: &Args) -> N {
 
 /// The radius of spherical coordinates.
 pub fn r(a: &Args) -> N {
-    a.r2().sqrt()
+    norm(a.x, a.y, a.z)
 }
 
 pub fn poly4(a: &Args) -> N {
@@ -98,11 +98,11 @@ pub fn rounded_box(a: &Args) -> N {
     let [_, radius, hx, hy, hz, ..] = a.p;
     let out = |c: N, half: f64| (c.abs() - (half - radius)).max(0.0);
     let (dx, dy, dz) = (out(a.x, hx), out(a.y, hy), out(a.z, hz));
-    -radius + (dx * dx + dy * dy + dz * dz).sqrt() - 1e-6
+    -radius + norm(dx, dy, dz) - 1e-6
 }
 
 pub fn sphere(a: &Args) -> N {
-    a.r2().sqrt() - a.p[1]
+    norm(a.x, a.y, a.z) - a.p[1]
 }
 
 pub fn superellipsoid(a: &Args) -> N {

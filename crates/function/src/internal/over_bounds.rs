@@ -50,7 +50,12 @@ pub(super) fn clipped(v: N) -> N {
 
 /// The length of the vector (x, y).
 pub(super) fn length(x: N, y: N) -> N {
-    (x.squared() + y.squared()).sqrt()
+    norm(x, y, N::from(0.0))
+}
+
+/// The length of the vector (x, y, z).
+pub(super) fn norm(x: N, y: N, z: N) -> N {
+    Bounds::length([x, y, z])
 }
 
 pub(super) fn noise_generator(a: &Args) -> N {

@@ -43,6 +43,11 @@ pub(super) fn length(x: N, y: N) -> N {
     (x * x + y * y).sqrt()
 }
 
+/// The length of the vector (x, y, z).
+pub(super) fn norm(x: N, y: N, z: N) -> N {
+    (x * x + y * y + z * z).sqrt()
+}
+
 /// The point (x, y) turned by an angle in radians.
 pub(super) fn turned(x: N, y: N, angle: f64) -> (N, N) {
     let (sin, cos) = angle.sin_cos();

@@ -8,7 +8,7 @@ mod search;
 
 use std::sync::Arc;
 
-use raggio_function::Function;
+use raggio_function::{Function, Range};
 use raggio_math::{Aabb, Affine, Ray, Vec3, transform};
 use raggio_scene::{Container, IsosurfaceEvaluate};
 
@@ -102,28 +102,44 @@ impl Isosurface {
     /// Follows a ray of the object's coordinates; answers with the gradient as the ray leaves it.
     fn trace(&self, ray: Ray, to: &mut impl Collect) -> f64 {
         let stretch = ray.dir.length();
-        let mut search = Search { surface: self, ray, stretch, sign: 1.0, gradient: self.max_gradient };
+        let mut search =
+            Search { surface: self, ray, stretch, sign: 1.0, gradient: self.max_gradient, proved: true };
         let span = container::span(&self.container, &ray)
             .filter(|s| s.1 > to.range().0 && s.0 < to.range().1 && s.1.is_finite());
         let Some((enter, leave)) = span else { return self.max_gradient };
+        let way = |from: f64, limit: f64| {
+            self.field.as_deref().map(|field| field.walk(&ray, (from, leave.min(limit + self.accuracy))))
+        };
         let mut left = self.max_trace;
-        let mut at = (enter.max(0.0), search.value(enter.max(0.0)));
-        if !self.open && enter > self.accuracy && at.1 < 0.0 {
+        let mut start = enter.max(0.0);
+        let mut walk = way(start, to.range().1);
+        // A ray that starts on the surface must not meet it again at once.
+        let close = 4.0 * search.gradient * self.accuracy;
+        let is_clear = |value: Range| value.size() < close || value.lo >= close || value.hi <= -close;
+        let mut value = Range::ALL;
+        if start < self.accuracy {
+            value = search.where_value_is(start, walk.as_ref(), is_clear);
+            if value.size() < close {
+                start = 5.0 * self.accuracy;
+                walk = way(start, to.range().1);
+            }
+        }
+        if value.size() < close || value.contains(0.0) {
+            value = search.where_value_is(start, walk.as_ref(), |value| !value.contains(0.0));
+        }
+        if !self.open && enter > self.accuracy && value.hi < 0.0 {
             self.push_wall(&ray, enter, to);
             left = left.saturating_sub(1);
         }
-        // A ray that starts on the surface must not meet it again at once.
-        if at.1.abs() < 4.0 * search.gradient * self.accuracy && at.0 < self.accuracy {
-            at.0 = 5.0 * self.accuracy;
-            at.1 = search.value(at.0);
-        }
-        if at.1 < 0.0 {
-            search.sign = -1.0;
-            at.1 = -at.1;
-        }
+        search.sign = if value.hi < 0.0 { -1.0 } else { 1.0 };
+        let mut at = (start, (value.lo == value.hi).then_some(value.lo.abs()));
+        let mut ended = false;
         while left > 0 && at.0 < leave && at.0 < to.range().1 {
             search.relax();
-            let Some(t) = search.first_root(at, leave, to.range().1) else { break };
+            let Some(t) = search.first_root(at, leave, walk.as_mut()) else {
+                ended = true;
+                break;
+            };
             to.push(LocalHit { t, part: SURFACE, ..LocalHit::default() });
             left -= 1;
             search.sign = -search.sign;
@@ -131,11 +147,13 @@ impl Isosurface {
             if left == 0 || next >= leave || next >= to.range().1 {
                 break;
             }
-            at = (next, search.value(next));
+            walk = way(next, to.range().1);
+            at = (next, None);
         }
         if !self.open && leave < to.range().1 {
+            let known = (ended && search.proved && walk.is_some()).then_some(search.sign);
             search.sign = 1.0;
-            if search.value(leave) < 0.0 {
+            if known.unwrap_or_else(|| search.value(leave)) < 0.0 {
                 self.push_wall(&ray, leave, to);
             }
         }

@@ -10,10 +10,10 @@ use super::scatter::{Around, Each, least, point_in};
 /// A compiled `crackle`.
 #[derive(Debug)]
 pub(super) struct Crackle {
-    form: Vec3,
-    metric: Metric,
-    offset: f64,
-    solid: bool,
+    pub(super) form: Vec3,
+    pub(super) metric: Metric,
+    pub(super) offset: f64,
+    pub(super) solid: bool,
     noise: u8,
 }
 
@@ -46,7 +46,7 @@ impl Metric {
     }
 
     /// The metric's number.
-    fn exponent(self) -> f64 {
+    pub(super) fn exponent(self) -> f64 {
         match self {
             Metric::Euclid => 2.0,
             Metric::Manhattan | Metric::Signed => 1.0,
@@ -63,7 +63,7 @@ impl Metric {
 
     /// What a difference along one axis adds to the power.
     #[inline]
-    fn term(self, d: f64) -> f64 {
+    pub(super) fn term(self, d: f64) -> f64 {
         match self {
             Metric::Euclid => d * d,
             Metric::Manhattan => d.abs(),
@@ -78,11 +78,11 @@ impl Metric {
     }
 
     #[inline]
-    fn power(self, d: Vec3) -> f64 {
+    pub(super) fn power(self, d: Vec3) -> f64 {
         self.term(d.x) + self.term(d.y) + self.term(d.z)
     }
 
-    fn root(self, power: f64) -> f64 {
+    pub(super) fn root(self, power: f64) -> f64 {
         match self {
             Metric::Euclid => power.sqrt(),
             Metric::Manhattan | Metric::Signed => power,

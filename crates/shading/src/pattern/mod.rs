@@ -5,6 +5,7 @@ mod block;
 mod compile;
 mod complex;
 mod crackle;
+mod crackle_bounds;
 mod density;
 mod fractal;
 mod geometric;
@@ -19,6 +20,7 @@ mod wave;
 
 use std::sync::Arc;
 
+use raggio_function::Bounds;
 use raggio_geometry::Geometry;
 use raggio_image::grey;
 use raggio_math::noise::{noise, noise4};
@@ -205,6 +207,14 @@ impl Pattern {
             *value = self.wave.apply(*value);
         }
         values
+    }
+
+    /// Where the values lie over bounds of a point, and their slopes, if anything is known of them.
+    pub(crate) fn enclose(&self, p: [Bounds; 3]) -> Bounds {
+        let (Kind::Crackle(crackle), Some(p)) = (&self.kind, self.warps.enclose(p)) else {
+            return Bounds::UNKNOWN;
+        };
+        self.wave.enclose(crackle.enclose(&p))
     }
 
     /// The warps, for normals on their way in and out.

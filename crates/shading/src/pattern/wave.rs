@@ -1,4 +1,5 @@
 //! What happens to a pattern's value after its formula: frequency, phase, wave form (textures spec, section 2).
+use raggio_function::Bounds;
 use raggio_math::turns::{floor, fraction, remainder, sin_turns};
 use raggio_scene as scene;
 
@@ -55,6 +56,13 @@ impl Waveform {
             v = fraction(v);
         }
         if v.is_nan() { 0.0 } else { self.shape(v) }
+    }
+
+    /// Bounds of the same, where values run through less than a period of an unshaped wave.
+    pub fn enclose(&self, v: Bounds) -> Bounds {
+        let v = if self.frequency == 0.0 { v } else { v * self.frequency + self.phase };
+        let within = v.value.lo >= 0.0 && (v.value.hi < PERIOD || self.frequency == 0.0);
+        if within && matches!(self.wave, scene::Wave::Ramp) { v } else { Bounds::UNKNOWN }
     }
 
     #[inline]

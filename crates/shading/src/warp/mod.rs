@@ -3,6 +3,7 @@ mod black_hole;
 mod mapping;
 mod repeat;
 
+use raggio_function::Bounds;
 use raggio_math::noise::dturbulence;
 use raggio_math::{Affine, Mat3, Vec3};
 use raggio_scene as scene;
@@ -74,6 +75,20 @@ impl WarpList {
                 }
                 clip(q)
             }
+        }
+    }
+
+    /// Bounds of the point that the pattern sees, if only transforms act.
+    pub fn enclose(&self, p: [Bounds; 3]) -> Option<[Bounds; 3]> {
+        match &*self.ops {
+            [] => Some(p),
+            [Op::Transform(t)] => {
+                let Affine { matrix3: m, translation } = t.inverse;
+                let row =
+                    |k: usize| m.x_axis[k] * p[0] + m.y_axis[k] * p[1] + m.z_axis[k] * p[2] + translation[k];
+                Some([row(0), row(1), row(2)])
+            }
+            _ => None,
         }
     }
 

@@ -4,7 +4,6 @@
 //! without the surface are left out, those where the slopes hardly differ are not cut further. What a box knows does not
 //! depend on who asks, so pictures do not depend on the order of rays.
 use std::collections::HashMap;
-use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, LazyLock, Mutex, OnceLock, PoisonError, Weak};
 
@@ -15,7 +14,7 @@ use smallvec::SmallVec;
 use super::super::container;
 
 /// Boxes are cut in two this many times at most.
-const MOST_CUTS: u8 = 14;
+const MOST_CUTS: u8 = 16;
 /// Where slopes seem steeper than so many times the scene's maximal gradient their bounds are too wide to tell anything
 /// soon, and boxes are cut this many times at most.
 const TOO_STEEP: f64 = 1.5;
@@ -43,10 +42,63 @@ pub(super) struct Field {
     steepest: AtomicU64,
 }
 
+/// A ray's way through the boxes that are not cut, in their order.
+pub(super) struct Walk<'a> {
+    field: &'a Field,
+    origin: [f64; 3],
+    inverse: [f64; 3],
+    /// Which half of a box comes first, by the axis of the cut.
+    near: [usize; 3],
+    /// The box where the walk stands, and the stretch of the ray in it.
+    pub cell: &'a Cell,
+    pub stretch: (f64, f64),
+    /// Boxes to go on with, the next one last, and where the ray leaves them.
+    waiting: SmallVec<[(&'a Cell, f64); MOST_CUTS as usize]>,
+    /// Is there no box any more?
+    pub over: bool,
+}
+
+impl Walk<'_> {
+    /// Goes on to the next box that is not cut.
+    #[inline]
+    pub(super) fn advance(&mut self) {
+        match self.waiting.pop() {
+            Some((cell, to)) => {
+                (self.cell, self.stretch) = (cell, (self.stretch.1, to));
+                self.descend();
+            }
+            None => self.over = true,
+        }
+    }
+
+    /// Goes down to the first box that is not cut.
+    #[inline]
+    fn descend(&mut self) {
+        let (mut cell, (from, mut to)) = (self.cell, self.stretch);
+        while cell.axis != NONE {
+            let axis = usize::from(cell.axis);
+            let halves = self.field.halves(cell);
+            // Along the plane this is infinite, with the sign that leads to the side where the ray is.
+            let crossing = (cell.plane - self.origin[axis]) * self.inverse[axis];
+            let near = self.near[axis];
+            if crossing <= from {
+                cell = &halves[near ^ 1];
+                continue;
+            }
+            cell = &halves[near];
+            if crossing < to {
+                self.waiting.push((&halves[near ^ 1], to));
+                to = crossing;
+            }
+        }
+        (self.cell, self.stretch) = (cell, (from, to));
+    }
+}
+
 /// A box of the tree.
 #[derive(Debug)]
 #[repr(C)]
-struct Cell {
+pub(super) struct Cell {
     /// Where the box is cut.
     plane: f64,
     /// Across which axis, if it is cut.
@@ -56,6 +108,13 @@ struct Cell {
     halves: OnceLock<Box<[Cell; 2]>>,
     /// All values in the box.
     value: Range,
+    /// What is not looked at on the way to other boxes, which therefore lie closer together.
+    known: Box<Known>,
+}
+
+/// What else is known of a box.
+#[derive(Debug)]
+struct Known {
     model: Model,
     bounds: Aabb,
 }
@@ -94,38 +153,62 @@ impl Model {
 }
 
 impl Cell {
+    /// Is `sign` times the function nowhere below zero?
+    #[inline]
+    pub(super) fn is_empty(&self, sign: f64) -> bool {
+        if sign > 0.0 { self.value.lo > 0.0 } else { self.value.hi < 0.0 }
+    }
+
+    #[inline]
+    pub(super) fn model(&self) -> &Model {
+        &self.known.model
+    }
+
+    /// Where the value at a point of the box lies.
+    #[inline]
+    pub(super) fn value_at(&self, p: Vec3) -> Range {
+        if self.value.lo > 0.0 || self.value.hi < 0.0 || !self.known.model.is_known() {
+            return self.value;
+        }
+        let (middle, off) = self.known.model.at(p);
+        Range { lo: middle - off, hi: middle + off }
+    }
+
     /// May smaller boxes tell much more of a function that the scene says to have slopes up to `max_gradient`?
     fn is_worth_cutting(&self, max_gradient: f64) -> bool {
-        let Model { slope, spread, .. } = self.model;
+        let Model { slope, spread, .. } = self.known.model;
         let steepest = (slope.abs() + spread).max_element();
-        let well_known = self.model.is_known() && 2.0 * spread.element_sum() <= ALIKE * steepest;
+        let well_known = self.known.model.is_known() && 2.0 * spread.element_sum() <= ALIKE * steepest;
         let most = if steepest <= TOO_STEEP * max_gradient { MOST_CUTS } else { BLIND_CUTS };
         self.value.contains(0.0) && !well_known && self.depth < most
     }
 }
 
-/// What makes two fields the same: the function, which as long as a field lives is the only one in its place, and bits
-/// of the numbers.
-type Key = (usize, [u64; 8]);
+/// Bits of a container's box, a threshold and a maximal gradient.
+type Key = [u64; 8];
 
-/// The fields in use; copies of an object share theirs.
-static SHARED: LazyLock<Mutex<HashMap<Key, Weak<Field>>>> = LazyLock::new(Mutex::default);
+/// The fields in use; copies of an object share theirs, and so do objects whose functions compute the same.
+static SHARED: LazyLock<Mutex<HashMap<Key, Vec<Weak<Field>>>>> = LazyLock::new(Mutex::default);
 
 impl Field {
-    /// A field that may be shared with copies of the same object, unless nothing can be told of the function anywhere.
+    /// A field that may be shared with objects of the same form, unless nothing can be told of the function anywhere.
     pub(super) fn shared(iso: &raggio_scene::Isosurface) -> Option<Arc<Self>> {
         let Aabb { min, max } = container::bounds(&iso.container);
         let numbers = [min.x, min.y, min.z, max.x, max.y, max.z, iso.threshold, iso.max_gradient];
-        let key = (Arc::as_ptr(&iso.function).addr(), numbers.map(f64::to_bits));
         let mut shared = SHARED.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(field) = shared.get(&key).and_then(Weak::upgrade) {
-            return Some(field);
+        if shared.len().is_power_of_two() {
+            shared.retain(|_, fields| fields.iter().any(|field| field.strong_count() > 0));
+        }
+        let alike = shared.entry(numbers.map(f64::to_bits)).or_default();
+        alike.retain(|field| field.strong_count() > 0);
+        let known = alike.iter().filter_map(Weak::upgrade);
+        for field in known {
+            if Arc::ptr_eq(&field.function, &iso.function) || field.function.same(&iso.function) {
+                return Some(field);
+            }
         }
         let field = Arc::new(Field::new(iso)?);
-        if shared.len().is_power_of_two() {
-            shared.retain(|_, field| field.strong_count() > 0);
-        }
-        shared.insert(key, Arc::downgrade(&field));
+        alike.push(Arc::downgrade(&field));
         Some(field)
     }
 
@@ -163,58 +246,33 @@ impl Field {
         }
     }
 
-    /// Calls `each` with the stretches of a ray between two parameters where `sign` times the function may fall below
-    /// zero, in their order, until it breaks.
+    /// The way of a ray between two parameters.
     #[inline]
-    pub(super) fn walk<B>(
-        &self,
-        ray: &Ray,
-        sign: f64,
-        (mut from, mut to): (f64, f64),
-        mut each: impl FnMut((f64, f64), &Model) -> ControlFlow<B>,
-    ) -> ControlFlow<B> {
-        let inverse = ray.dir.recip();
-        let mut cell = self.root.get_or_init(|| self.cell(self.bounds, None));
-        let mut waiting: SmallVec<[(&Cell, f64); MOST_CUTS as usize]> = SmallVec::new();
-        loop {
-            while cell.axis != NONE {
-                let axis = usize::from(cell.axis);
-                let halves = self.halves(cell);
-                let (origin, dir) = (ray.origin[axis], ray.dir[axis]);
-                let crossing = (cell.plane - origin) * inverse[axis];
-                let (near, far) = if dir > 0.0 { (0, 1) } else { (1, 0) };
-                if dir == 0.0 {
-                    cell = &halves[usize::from(origin > cell.plane)];
-                } else if crossing <= from {
-                    cell = &halves[far];
-                } else {
-                    cell = &halves[near];
-                    if crossing < to {
-                        waiting.push((&halves[far], to));
-                        to = crossing;
-                    }
-                }
-            }
-            let empty = if sign > 0.0 { cell.value.lo > 0.0 } else { cell.value.hi < 0.0 };
-            if !empty {
-                each((from, to), &cell.model)?;
-            }
-            from = to;
-            match waiting.pop() {
-                Some(next) => (cell, to) = next,
-                None => return ControlFlow::Continue(()),
-            }
-        }
+    pub(super) fn walk<'a>(&'a self, ray: &Ray, (from, to): (f64, f64)) -> Walk<'a> {
+        let root = self.root.get_or_init(|| self.cell(self.bounds, None));
+        let near = |along: f64| usize::from(along.is_sign_negative());
+        let mut walk = Walk {
+            field: self,
+            origin: ray.origin.into(),
+            inverse: ray.dir.recip().into(),
+            near: [near(ray.dir.x), near(ray.dir.y), near(ray.dir.z)],
+            cell: root,
+            stretch: (from, to),
+            waiting: SmallVec::new(),
+            over: false,
+        };
+        walk.descend();
+        walk
     }
 
     /// The halves of a box that is to be cut.
     #[inline]
     fn halves<'a>(&self, cell: &'a Cell) -> &'a [Cell; 2] {
         cell.halves.get_or_init(|| {
-            let (mut low, mut high) = (cell.bounds, cell.bounds);
+            let (mut low, mut high) = (cell.known.bounds, cell.known.bounds);
             low.max[usize::from(cell.axis)] = cell.plane;
             high.min[usize::from(cell.axis)] = cell.plane;
-            Box::new([low, high].map(|half| self.cell(half, Some(cell))))
+            Box::new([self.cell(low, Some(cell)), self.cell(high, Some(cell))])
         })
     }
 
@@ -238,7 +296,14 @@ impl Field {
         }
         self.note_slope(value, &found.slopes);
         let depth = whole.map_or(0, |whole| whole.depth + 1);
-        let mut cell = Cell { plane: 0.0, axis: NONE, depth, halves: OnceLock::new(), value, model, bounds };
+        let mut cell = Cell {
+            plane: 0.0,
+            axis: NONE,
+            depth,
+            halves: OnceLock::new(),
+            value,
+            known: Box::new(Known { model, bounds }),
+        };
         if let Some(axis) =
             axis_to_cut(&found.slopes, half).filter(|_| cell.is_worth_cutting(self.max_gradient))
         {

@@ -38,11 +38,6 @@ impl Grid {
         self.start + index as f64 * self.step
     }
 
-    /// The length of a step.
-    pub(super) fn step(&self) -> f64 {
-        self.step
-    }
-
     /// The first point that is not before `t`; beyond the last one if there is none.
     #[inline]
     pub(super) fn not_before(&self, t: f64) -> u64 {

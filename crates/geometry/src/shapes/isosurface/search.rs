@@ -4,13 +4,11 @@
 //! point of the grid with a negative value. Where little is known of the function it is looked at as the scene's maximal
 //! gradient demands. Elsewhere what the bounds prove free of roots is skipped, and where the function falls all the way
 //! the grid point is found by interval Newton steps, so that the place is the one that halving would find.
-use std::ops::ControlFlow;
-
 use raggio_function::Range;
 use raggio_math::Ray;
 
 use super::Isosurface;
-use super::field::Model;
+use super::field::{Model, Walk};
 use super::grid::{Grid, Sample};
 
 /// Slopes that spread over more than this share of what the maximal gradient allows tell nothing.
@@ -25,6 +23,8 @@ pub(super) struct Search<'a> {
     pub stretch: f64,
     pub sign: f64,
     pub gradient: f64,
+    /// Does what was not found so far surely not exist?
+    pub proved: bool,
 }
 
 /// Where a search along known stretches stands.
@@ -34,7 +34,7 @@ struct Progress {
     /// Points after this one, up to `done`, are postponed: nothing is known of the slopes there.
     unknown_from: u64,
     /// The last sample, if the function was looked at.
-    last: Sample,
+    last: Option<Sample>,
 }
 
 impl Search<'_> {
@@ -43,38 +43,69 @@ impl Search<'_> {
         self.sign * self.surface.value(self.ray.at(t))
     }
 
+    /// Where the function's value at a parameter lies: a single number, unless the walk, which begins there, tells
+    /// enough.
+    pub(super) fn where_value_is(
+        &self,
+        t: f64,
+        walk: Option<&Walk>,
+        enough: impl Fn(Range) -> bool,
+    ) -> Range {
+        let known = walk.map(|walk| walk.cell.value_at(self.ray.at(t))).filter(|&known| enough(known));
+        known.unwrap_or_else(|| Range::one(self.surface.value(self.ray.at(t))))
+    }
+
     fn sample(&self, grid: &Grid, index: u64) -> Sample {
         let t = grid.at(index);
         Sample { index, t, value: self.value(t) }
     }
 
-    /// The first root between `start`, where the function has a value, and `end`; those beyond `limit` may be left out.
-    pub(super) fn first_root(&mut self, start: (f64, f64), end: f64, limit: f64) -> Option<f64> {
+    /// The first root between `start` and `end`, on the way that is known, if one is. The function's value at the start
+    /// is found where it is needed, unless it is there.
+    pub(super) fn first_root(
+        &mut self,
+        start: (f64, Option<f64>),
+        end: f64,
+        walk: Option<&mut Walk>,
+    ) -> Option<f64> {
         let grid = Grid::new(start.0, end, self.surface.accuracy);
-        let first = Sample { index: 0, t: start.0, value: start.1 };
-        let Some(field) = self.surface.field.as_deref() else {
+        let first = start.1.map(|value| Sample { index: 0, t: start.0, value });
+        let Some(walk) = walk else {
+            let first = first.unwrap_or_else(|| self.sample(&grid, 0));
             let last = self.sample(&grid, grid.count);
             let steepest = Range::within(self.gradient * self.stretch);
             return self.first(&grid, first, last, steepest).map(|s| s.t);
         };
         let mut progress = Progress { done: 0, unknown_from: 0, last: first };
-        let ray = self.ray;
-        let found = field.walk(&ray, self.sign, (start.0, end.min(limit + grid.step())), |stretch, model| {
-            let last =
-                if stretch.1 < end { grid.not_before(stretch.1).saturating_sub(1) } else { grid.count };
-            let first = grid.not_before(stretch.0).max(progress.done + 1);
-            if first > last {
-                return ControlFlow::Continue(());
+        while !walk.over {
+            if !self.is_free(walk) {
+                let to = walk.stretch.1;
+                let last = if to < end { grid.not_before(to).saturating_sub(1) } else { grid.count };
+                let first = grid.not_before(walk.stretch.0).max(progress.done + 1);
+                if first <= last
+                    && let Some(index) =
+                        self.in_stretch(&grid, (first, last), walk.cell.model(), &mut progress)
+                {
+                    return Some(grid.at(index));
+                }
             }
-            match self.in_stretch(&grid, (first, last), model, &mut progress) {
-                Some(index) => ControlFlow::Break(index),
-                None => ControlFlow::Continue(()),
-            }
-        });
-        match found {
-            ControlFlow::Break(index) => Some(grid.at(index)),
-            ControlFlow::Continue(()) => self.postponed(&grid, &mut progress).map(|index| grid.at(index)),
+            walk.advance();
         }
+        self.postponed(&grid, &mut progress).map(|index| grid.at(index))
+    }
+
+    /// Is there surely nothing below zero where the walk stands?
+    #[inline]
+    fn is_free(&self, walk: &Walk) -> bool {
+        if walk.cell.is_empty(self.sign) {
+            return true;
+        }
+        // Between the ends the least possible value is not less than at one of them.
+        let least = |t: f64| {
+            let (middle, off) = walk.cell.model().at(self.ray.at(t));
+            self.sign * middle - off
+        };
+        least(walk.stretch.0) >= 0.0 && least(walk.stretch.1) >= 0.0
     }
 
     /// The first of some points in a box that is below zero, or one that was postponed.
@@ -87,9 +118,6 @@ impl Search<'_> {
         progress: &mut Progress,
     ) -> Option<u64> {
         let ends = model.is_known().then(|| (self.known(grid, first, model), self.known(grid, last, model)));
-        if ends.is_some_and(|(a, b)| a.value.lo >= 0.0 && b.value.lo >= 0.0) {
-            return None;
-        }
         let slope = model.along(self.ray.dir * self.sign);
         if let Some((a, b)) = ends.filter(|_| slope.hi <= 0.0) {
             let before = self.postponed(grid, progress);
@@ -119,11 +147,11 @@ impl Search<'_> {
         if progress.unknown_from >= progress.done {
             return None;
         }
-        let last = progress.last;
-        let a =
-            if last.index == progress.unknown_from { last } else { self.sample(grid, progress.unknown_from) };
+        self.proved = false;
+        let from = progress.unknown_from;
+        let a = progress.last.filter(|last| last.index == from).unwrap_or_else(|| self.sample(grid, from));
         let b = self.sample(grid, progress.done);
-        (progress.unknown_from, progress.last) = (progress.done, b);
+        (progress.unknown_from, progress.last) = (progress.done, Some(b));
         self.first(grid, a, b, Range::within(self.gradient * self.stretch)).map(|s| s.index)
     }
 
@@ -138,10 +166,11 @@ impl Search<'_> {
 
     /// Slopes along the ray, if they tell more than the maximal gradient.
     #[inline]
-    fn telling(&self, slope: Range) -> Option<Range> {
+    fn telling(&mut self, slope: Range) -> Option<Range> {
         let most = self.gradient * self.stretch;
-        let slope = slope.meet(Range::within(most));
-        (slope.width() < TELLING * 2.0 * most).then_some(slope)
+        let met = slope.meet(Range::within(most));
+        self.proved &= met == slope;
+        (met.width() < TELLING * 2.0 * most).then_some(met)
     }
 
     /// The first point below zero where the function never rises: interval Newton steps (Moore, 1966) on whole points.
