@@ -64,22 +64,27 @@ struct Look {
     step: f64,
 }
 
+/// The radius of the ball around the origin that is known to hold a fractal.
+pub(crate) fn radius(julia: &raggio_scene::Julia) -> f64 {
+    match julia.algebra {
+        JuliaAlgebra::Quaternion => (1.0 + Vec4::from_array(julia.parameter).length() + 1e-7).min(2.0),
+        JuliaAlgebra::Hypercomplex => 4.0,
+    }
+}
+
 impl Julia {
     /// Makes a fractal ready.
     pub(crate) fn new(julia: &raggio_scene::Julia) -> Self {
-        let [a, b, c, d] = julia.parameter;
-        let parameter = Vec4::new(a, b, c, d);
+        let parameter = Vec4::from_array(julia.parameter);
         let map = match (julia.algebra, julia.function) {
             (JuliaAlgebra::Quaternion, JuliaFunction::Cube) => Map::Quaternion(quaternion::Power::Cube),
             (JuliaAlgebra::Quaternion, _) => Map::Quaternion(quaternion::Power::Square),
             (JuliaAlgebra::Hypercomplex, function) => Map::Hypercomplex(hypercomplex::Map::of(function)),
         };
-        let (radius, escape) = match map {
-            Map::Quaternion(_) => {
-                let radius = (1.0 + parameter.length() + 1e-7).min(2.0);
-                (radius, radius * radius + 1e-7)
-            }
-            Map::Hypercomplex(_) => (4.0, 16.0),
+        let radius = radius(julia);
+        let escape = match map {
+            Map::Quaternion(_) => radius * radius + 1e-7,
+            Map::Hypercomplex(_) => 16.0,
         };
         let [x, y, z, t] = julia.slice;
         let mut julia = Julia {

@@ -47,6 +47,7 @@ use crate::{BuildError, LocalHit, Surface};
 pub(crate) use box_::Cuboid;
 pub(crate) use cone::Cone;
 pub(crate) use disc::Disc;
+pub(crate) use julia::radius as julia_radius;
 pub(crate) use mesh::MeshShape;
 pub(crate) use plane::Plane;
 pub(crate) use polygon::Polygon;
