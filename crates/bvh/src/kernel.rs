@@ -58,8 +58,9 @@ fn single(v: Vec3) -> f32x4 {
 }
 
 impl Slab {
-    /// Prepares a ray.
-    #[inline]
+    /// Prepares a ray. Not inlined: free of branches as it is, the compiler makes slabs before it knows whether any is
+    /// wanted, which cost every leaf of every shape as much as its own test.
+    #[inline(never)]
     pub fn new(ray: &Ray) -> Self {
         let (origin, dir) = (single(ray.origin), single(ray.dir));
         // No comparison holds for what is not a number.

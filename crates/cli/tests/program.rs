@@ -112,7 +112,7 @@ fn a_max_gradient_that_is_too_low_is_warned_of_once() {
     let folder = folder();
     let surface = |x: f64, max_gradient: f64| {
         format!(
-            "isosurface {{ function {{ 3*y + sin(x) }} max_gradient {max_gradient} pigment {{ rgb 1 }} translate {x}*x }}\n"
+            "isosurface {{ function {{ 3*y + sin({x}*x) }} max_gradient {max_gradient} pigment {{ rgb 1 }} translate {x}*x }}\n"
         )
     };
     let scene = |max_gradient: f64| {
