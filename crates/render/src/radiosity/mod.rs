@@ -2,7 +2,7 @@
 //! the irradiance cache of Ward, Rubinstein and Clear 1988).
 //!
 //! The picture does not depend on threads: samples of a pass are seen by later passes, and within the pass only by
-//! the group of tiles that made them. Pass k has 2^k groups; the first goes in rounds, which see those before.
+//! the group of tiles that made them. Pass k has 2^k groups.
 mod cache;
 mod gather;
 mod pretrace;
