@@ -174,7 +174,10 @@ mod tests {
     #[test]
     fn the_tail_is_what_stays_the_same_to_the_end() {
         let colors = |all: &[(f32, char)]| Map::new(all.iter().copied());
-        assert_eq!(colors(&[(0.0, 'a'), (0.1, 'b'), (0.5, 'b'), (1.0, 'b')]).tail(), Some((f64::from(0.1f32), &'b')));
+        assert_eq!(
+            colors(&[(0.0, 'a'), (0.1, 'b'), (0.5, 'b'), (1.0, 'b')]).tail(),
+            Some((f64::from(0.1f32), &'b'))
+        );
         assert_eq!(colors(&[(0.2, 'a')]).tail(), Some((f64::from(0.2f32), &'a')));
         assert_eq!(colors(&[(0.6, 'a'), (0.2, 'b')]).tail(), None);
     }

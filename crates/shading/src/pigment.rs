@@ -25,12 +25,29 @@ pub struct Pigment {
 #[derive(Debug)]
 enum Kind {
     Solid(Color),
-    Colors { pattern: Box<Pattern>, map: Map<Color> },
+    Colors {
+        pattern: Box<Pattern>,
+        map: Map<Color>,
+    },
     /// The same where the pattern knows large values beforehand: above a bound there is one color.
-    Foreseen { pattern: Box<Pattern>, map: Map<Color>, bound: f64, beyond: Color },
-    Pigments { pattern: Box<Pattern>, map: Map<Arc<Pigment>> },
-    Average { pattern: Box<Pattern>, map: Map<Arc<Pigment>> },
-    Image { warps: WarpList, image: Box<Image> },
+    Foreseen {
+        pattern: Box<Pattern>,
+        map: Map<Color>,
+        bound: f64,
+        beyond: Color,
+    },
+    Pigments {
+        pattern: Box<Pattern>,
+        map: Map<Arc<Pigment>>,
+    },
+    Average {
+        pattern: Box<Pattern>,
+        map: Map<Arc<Pigment>>,
+    },
+    Image {
+        warps: WarpList,
+        image: Box<Image>,
+    },
     Uv(Arc<Pigment>),
 }
 

@@ -24,8 +24,11 @@ impl NonRecursive {
     /// All pixels of a tile.
     pub fn tile(&self, tile: &Tile, shoot: &mut impl Shoot) -> Vec<Pixel> {
         let (columns, rows) = (tile.x.len() + 1, tile.y.len() + 1);
-        let mut board =
-            Board { columns, pixels: vec![Viewed::default(); columns * rows], settled: vec![false; columns * rows] };
+        let mut board = Board {
+            columns,
+            pixels: vec![Viewed::default(); columns * rows],
+            settled: vec![false; columns * rows],
+        };
         let place =
             |i: usize, j: usize| (tile.x.start as f64 + i as f64 - 1.0, tile.y.start as f64 + j as f64 - 1.0);
         for j in 0..rows {

@@ -253,8 +253,7 @@ impl Crackle {
             _ => Nearest::<3>::search(p, self.metric).powers,
         };
         let moved = if self.offset == 0.0 { 0.0 } else { self.metric.term(self.offset) };
-        let distance =
-            |k: usize| if self.form[k] == 0.0 { 0.0 } else { self.metric.root(powers[k] + moved) };
+        let distance = |k: usize| if self.form[k] == 0.0 { 0.0 } else { self.metric.root(powers[k] + moved) };
         self.form.dot(Vec3::new(distance(0), distance(1), distance(2))).clamp(0.0, 1.0)
     }
 

@@ -43,7 +43,11 @@ impl Known {
 /// The difference of the distances that `measure` finds to the second and the first of the feature points around `q`;
 /// `None` where it is sure to be above `bound` without that.
 #[inline]
-pub(super) fn difference_unless_above(q: Vec3, bound: f64, measure: impl FnOnce() -> [f64; 2]) -> Option<f64> {
+pub(super) fn difference_unless_above(
+    q: Vec3,
+    bound: f64,
+    measure: impl FnOnce() -> [f64; 2],
+) -> Option<f64> {
     let cell = floors(q * FINENESS);
     let (x, y, z) = (cell.x as i64, cell.y as i64, cell.z as i64);
     let mixed = x.wrapping_mul(73_856_093) ^ y.wrapping_mul(19_349_663) ^ z.wrapping_mul(83_492_791);
