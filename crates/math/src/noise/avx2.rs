@@ -202,12 +202,14 @@ extern "C" fn scalar_lanes<const N: usize>(x: Lanes, y: Lanes, z: Lanes) -> Lane
 fn vector_lanes<const N: usize>(p: [Lanes; 3]) -> [Lanes; 3] {
     let axes = [Axis::at(p[0]), Axis::at(p[1]), Axis::at(p[2])];
     let factors = Factors::new(&axes[1], &axes[2]);
+    // All hashes first, so that their long chains of loads run side by side.
+    let places: [[usize; 8]; N] = std::array::from_fn(|lane| corners(&axes, lane));
     let sides = |lane: usize| {
         if lane >= N {
             return [[_mm256_setzero_pd(); 2]; 3];
         }
-        let (corners, factors) = (corners(&axes, lane), factors.of(lane));
-        let (near, far) = corners.split_at(4);
+        let factors = factors.of(lane);
+        let (near, far) = places[lane].split_at(4);
         [
             [side::<0>(near, &factors), side::<0>(far, &factors)],
             [side::<1>(near, &factors), side::<1>(far, &factors)],
