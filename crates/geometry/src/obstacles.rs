@@ -130,8 +130,14 @@ impl Geometry {
         obstacles: &mut impl Obstacles,
     ) -> bool {
         let stops = obstacles.stops(leaf);
+        let leaves = &self.tree.leaves;
+        if !stops
+            && let Some(found) = leaves.closest_of_few(leaf, ray, range, gap, |hit| obstacles.meets(hit))
+        {
+            return found.is_some();
+        }
         while range.0 < range.1 {
-            let Some(hit) = self.tree.leaves.closest(leaf, ray, range, &|_| stops) else { return false };
+            let Some(hit) = leaves.closest(leaf, ray, range, &|_| stops) else { return false };
             if stops || obstacles.meets(&hit) {
                 return true;
             }

@@ -7,6 +7,7 @@
 use raggio_math::Ray;
 use smallvec::SmallVec;
 
+use crate::body::Body;
 use crate::leaf::Leaves;
 use crate::shapes::Stretch;
 use crate::tree::{Group, Node, NodeRef, Op, Tree};
@@ -31,11 +32,14 @@ pub(crate) struct Solid {
 
 /// A leaf in its group.
 struct Part {
+    body: Body,
     leaf: u32,
     level: u8,
     /// Its place in its group.
     member: u32,
     inverted: bool,
+    /// See [`Body::has_parts`].
+    has_parts: bool,
     /// Only cuts: a clip.
     silent: bool,
     /// Nothing counts outside it.
@@ -109,8 +113,12 @@ impl Counted<'_> {
         Hit { t: self.t, leaf, inverted, local: LocalHit::default() }
     }
 
-    /// The hit, looked for again in its leaf; `None` where rounding hides it.
+    /// The hit, looked for again in its leaf if that has words of its own; `None` where rounding hides it.
+    #[inline]
     pub(crate) fn hit(&self, tree: &Tree, ray: &Ray) -> Option<Hit> {
+        if !self.part.has_parts {
+            return Some(self.bare());
+        }
         let around = AROUND * (1.0 + self.t);
         tree.leaves.closest(self.part.leaf, ray, (self.t - around, self.t + around), &|_| false)
     }
@@ -187,10 +195,22 @@ impl Solid {
                 self.add_group(&groups[at as usize], at, Some(level), (member, silent), leaves, groups)
             }
             Node::Leaf(leaf) => {
-                let room = self.parts.len() < MOST_PARTS && leaves.has_stretch(leaf);
+                let room = self.parts.len() < MOST_PARTS;
                 let crate::leaf::Leaf { inverted, rank, .. } = leaves.leaves[leaf as usize];
-                let part = Part { leaf, level, member, inverted, silent, holds: false, bars: false, rank };
-                self.parts.push(part);
+                let body = Body::of(leaf, leaves)?;
+                let (has_parts, holds, bars) = (body.has_parts(), false, false);
+                self.parts.push(Part {
+                    body,
+                    leaf,
+                    level,
+                    member,
+                    inverted,
+                    has_parts,
+                    silent,
+                    holds,
+                    bars,
+                    rank,
+                });
                 room.then_some(())
             }
         }
@@ -230,7 +250,7 @@ impl Solid {
     ) -> Option<()> {
         let mut walk = Walk { solid: self, counts: self.outside, contains: 0 };
         let mut ends: SmallVec<[End; 24]> = SmallVec::new();
-        if !walk.start(tree, ray, range, &mut ends)? {
+        if !walk.start(ray, range, &mut ends) {
             return Some(());
         }
         ends.sort_unstable_by(|a, b| a.t.total_cmp(&b.t));
@@ -283,26 +303,20 @@ impl Walk<'_> {
     /// Finds the ends of stretches within the range, as far as they can matter, and what contains the ray before the
     /// first of them. False where nothing can count.
     #[inline]
-    fn start(
-        &mut self,
-        tree: &Tree,
-        ray: &Ray,
-        range: (f64, f64),
-        ends: &mut SmallVec<[End; 24]>,
-    ) -> Option<bool> {
+    fn start(&mut self, ray: &Ray, range: (f64, f64), ends: &mut SmallVec<[End; 24]>) -> bool {
         let (mut from, mut to) = range;
         for (i, part) in self.solid.parts.iter().enumerate() {
-            let Stretch { enter, leave, beyond } = tree.leaves.stretch(part.leaf, ray)?;
+            let Stretch { enter, leave, beyond } = part.body.stretch(ray);
             if part.holds && !beyond {
                 if leave <= from || enter >= to {
-                    return Some(false);
+                    return false;
                 }
                 let (first, last) =
                     (enter - CLOSE * (1.0 + enter.abs()), leave + CLOSE * (1.0 + leave.abs()));
                 (from, to) = (from.max(first), to.min(last));
             }
             if part.bars && !beyond && enter < from && leave > to {
-                return Some(false);
+                return false;
             }
             if (enter <= from && from < leave) != beyond {
                 self.turn(i);
@@ -313,7 +327,7 @@ impl Walk<'_> {
                 }
             }
         }
-        Some(!ends.is_empty())
+        !ends.is_empty()
     }
 
     /// The ray enters or leaves the body of a part.
