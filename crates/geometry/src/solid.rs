@@ -12,6 +12,7 @@ use crate::leaf::Leaves;
 use crate::shapes::Stretch;
 use crate::tree::{Group, Node, NodeRef, Op, Tree};
 use crate::{Hit, LocalHit};
+use limits::First;
 
 /// So many leaves, and groups, a combination may have.
 const MOST_PARTS: usize = 64;
@@ -26,6 +27,8 @@ const AROUND: f64 = 1e-9;
 pub(crate) struct Solid {
     parts: Vec<Part>,
     levels: Vec<Level>,
+    /// Does every part hold or bar all others?
+    limited: bool,
     /// How many members of each level contain a ray that is in none of the bodies.
     outside: [u8; MOST_LEVELS],
 }
@@ -130,9 +133,11 @@ impl Solid {
         if group.op == Op::Union && group.clips.is_empty() {
             return None;
         }
-        let mut solid = Solid { parts: Vec::new(), levels: Vec::new(), outside: [0; MOST_LEVELS] };
+        let mut solid =
+            Solid { parts: Vec::new(), levels: Vec::new(), limited: false, outside: [0; MOST_LEVELS] };
         solid.add_group(group, at, None, (0, false), leaves, groups)?;
         solid.mark_limits();
+        solid.limited = solid.parts.iter().all(|part| part.holds || part.bars);
         // What limits the rest comes first.
         solid.parts.sort_by_key(|part| !part.holds);
         let mut walk = Walk { solid: &solid, counts: solid.outside, contains: 0 };
@@ -242,6 +247,39 @@ impl Solid {
     /// Calls `found` with the ends that are hits, the nearest first, for as long as it answers true. `None` where the
     /// sweep, or `found`, cannot tell: what was found so far is void.
     pub(crate) fn sweep(
+        &self,
+        tree: &Tree,
+        ray: &Ray,
+        mut range: (f64, f64),
+        mut found: impl FnMut(Counted<'_>) -> Option<bool>,
+    ) -> Option<()> {
+        if self.limited {
+            let mut goes_on = |end: End| {
+                let part = &self.parts[end.part as usize];
+                if part.silent { Some(true) } else { found(Counted { part, t: end.t }) }
+            };
+            match self.first(ray, range) {
+                First::Nothing => return Some(()),
+                First::Unclear => {}
+                First::Found { end, last } => {
+                    if !goes_on(end)? {
+                        return Some(());
+                    }
+                    if let Some(last) = last {
+                        if end.t < last.t && last.t < range.1 {
+                            goes_on(last)?;
+                        }
+                        return Some(());
+                    }
+                    range.0 = end.t;
+                }
+            }
+        }
+        self.walk(tree, ray, range, found)
+    }
+
+    /// [`Solid::sweep`] for all combinations, from end to end.
+    fn walk(
         &self,
         tree: &Tree,
         ray: &Ray,
@@ -375,5 +413,6 @@ impl Walk<'_> {
     }
 }
 
+mod limits;
 #[cfg(test)]
 mod tests;
