@@ -123,7 +123,10 @@ impl Counted<'_> {
             return Some(self.bare());
         }
         let around = AROUND * (1.0 + self.t);
-        tree.leaves.closest(self.part.leaf, ray, (self.t - around, self.t + around), &|_| false)
+        let range = (self.t - around, self.t + around);
+        let hit = tree.leaves.closest(self.part.leaf, ray, range, &|_| false)?;
+        // Who goes on from there must not find the same end again.
+        Some(Hit { t: self.t, ..hit })
     }
 }
 
