@@ -3,7 +3,7 @@ use raggio_math::{Aabb, Affine, Ray, Vec2, Vec3, transform};
 
 use crate::convex::Convex;
 use crate::index::transformed;
-use crate::shapes::{Cuboid, Few, Plane, ShapeKind, Sphere, Stretch};
+use crate::shapes::{Cuboid, Few, Plane, ShapeKind, Sphere};
 use crate::tree::{Node, NodeRef};
 use crate::{Hit, LocalHit, MaterialId, Surface};
 
@@ -14,6 +14,8 @@ pub(crate) struct Leaf {
     pub(crate) material: MaterialId,
     /// Turned inside out on the way down.
     pub(crate) inverted: bool,
+    /// Has it more textures than its material's, listed in [`crate::texturing::Parts`]?
+    pub(crate) has_parts: bool,
     /// Of surfaces of one object at the same distance, that of the leaf with the highest rank is seen.
     pub(crate) rank: u32,
 }
@@ -66,32 +68,36 @@ impl LocalRay {
         LocalRay { ray: Ray::new(local.origin, local.dir / stretch), stretch }
     }
 
-    /// The nearest hit within a range of world distances. Rounding on the way to local distances and back must not
-    /// let a hit through that the range shuts out.
-    #[inline]
-    fn closest(
-        &self,
-        shape: &ShapeKind,
-        range: (f64, f64),
-        stops: impl Fn(&LocalHit) -> bool,
-    ) -> Option<LocalHit> {
-        let mut local_range = self.range(range);
-        for _ in 0..ROUNDING_TRIES {
-            let hit = shape.closest_or(&self.ray, local_range, &stops)?;
-            let t = hit.t / self.stretch;
-            if t > range.0 {
-                return (t < range.1).then_some(hit);
-            }
-            // Some shapes keep their distances only to within rounding.
-            local_range.0 = hit.t.max(local_range.0) * (1.0 + 4.0 * f64::EPSILON);
-        }
-        None
-    }
-
     #[inline]
     fn range(&self, range: (f64, f64)) -> (f64, f64) {
         (range.0 * self.stretch, range.1 * self.stretch)
     }
+}
+
+/// The nearest hit of a shape at a place within a range of world distances, with its own. Not inlined: a caller that asks
+/// many leaves would make its ray ready for a place before it knows whether there is one.
+#[inline(never)]
+fn closest_placed(
+    shape: &ShapeKind,
+    object_from_world: &Affine,
+    ray: &Ray,
+    range: (f64, f64),
+    stops: impl Fn(f64, &LocalHit) -> bool,
+) -> Option<(f64, LocalHit)> {
+    let local = LocalRay::new(ray, object_from_world);
+    let stops = |hit: &LocalHit| stops(hit.t / local.stretch, hit);
+    let mut local_range = local.range(range);
+    for _ in 0..ROUNDING_TRIES {
+        let hit = shape.closest_or(&local.ray, local_range, &stops)?;
+        let t = hit.t / local.stretch;
+        // Rounding on the way to local distances and back must not let a hit through that the range shuts out.
+        if t > range.0 {
+            return (t < range.1).then_some((t, hit));
+        }
+        // Some shapes keep their distances only to within rounding.
+        local_range.0 = hit.t.max(local_range.0) * (1.0 + 4.0 * f64::EPSILON);
+    }
+    None
 }
 
 impl Leaves {
@@ -117,10 +123,9 @@ impl Leaves {
                 self.shapes[*s as usize].closest_or(ray, range, |local| stops(&at(local.t, *local)))?
             }
             Prim::Placed { shape, place } => {
-                let local = LocalRay::new(ray, &self.places[*place as usize]);
-                let world = |hit: &LocalHit| at(hit.t / local.stretch, *hit);
-                let hit = local.closest(&self.shapes[*shape as usize], range, |hit| stops(&world(hit)))?;
-                return Some(world(&hit));
+                let (shape, place) = (&self.shapes[*shape as usize], &self.places[*place as usize]);
+                let (t, local) = closest_placed(shape, place, ray, range, |t, local| stops(&at(t, *local)))?;
+                return Some(at(t, local));
             }
         };
         Some(at(local.t, local))
@@ -150,48 +155,28 @@ impl Leaves {
         Some(1.0)
     }
 
-    /// Where the ray is inside the shape of a leaf that [`Leaves::has_stretch`], its inversion not counted; `None` where
-    /// rounding leaves it open.
-    #[inline]
-    pub(crate) fn stretch(&self, index: u32, ray: &Ray) -> Option<Stretch> {
-        Some(match &self.leaves[index as usize].prim {
-            Prim::Sphere { sphere, .. } => Stretch::between(sphere.chord(ray)),
-            Prim::Plane(plane) => plane.stretch(ray),
-            Prim::Box(cuboid) => cuboid.stretch(ray),
-            Prim::PlacedBox { cuboid, place } => {
-                cuboid.stretch(&ray.transformed(&self.places[*place as usize]))
-            }
-            Prim::World(s) => self.shapes[*s as usize].stretch(ray)?,
-            Prim::Placed { shape, place } => {
-                let local = LocalRay::new(ray, &self.places[*place as usize]);
-                let found = self.shapes[*shape as usize].stretch(&local.ray)?;
-                let (enter, leave) = (found.enter / local.stretch, found.leave / local.stretch);
-                Stretch { enter, leave, ..found }
-            }
-        })
-    }
-
-    /// Is a ray always inside the leaf's shape on one stretch, or beyond one?
-    pub(crate) fn has_stretch(&self, leaf: u32) -> bool {
-        self.shape(leaf).is_none_or(ShapeKind::has_stretch)
-    }
-
-    /// The nearest hit of one leaf that `counts` says yes to. Only for shapes with few hits: `None` for others.
+    /// The nearest hit of one leaf that `counts` says yes to; of hits nearer to each other than `gap` only the first is
+    /// asked about. Only for shapes with few hits: `None` for others.
     #[inline]
     pub(crate) fn closest_of_few(
         &self,
         index: u32,
         ray: &Ray,
-        range: (f64, f64),
-        counts: impl Fn(f64) -> bool,
+        (mut from, to): (f64, f64),
+        gap: f64,
+        mut counts: impl FnMut(&Hit) -> bool,
     ) -> Option<Option<Hit>> {
         let leaf = &self.leaves[index as usize];
         let mut few = Few::default();
-        let stretch = self.few(leaf, ray, range, &mut few)?;
+        let stretch = self.few(leaf, ray, (from, to), &mut few)?;
         while let Some(local) = few.pop_nearest() {
             let t = local.t / stretch;
-            if t > range.0 && t < range.1 && counts(t) {
-                return Some(Some(Hit { t, leaf: index, inverted: leaf.inverted, local }));
+            if t > from && t < to {
+                let hit = Hit { t, leaf: index, inverted: leaf.inverted, local };
+                if counts(&hit) {
+                    return Some(Some(hit));
+                }
+                from = t + gap;
             }
         }
         Some(None)

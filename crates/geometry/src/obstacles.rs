@@ -125,14 +125,34 @@ impl Geometry {
         &self,
         leaf: u32,
         ray: &Ray,
+        range: (f64, f64),
+        gap: f64,
+        obstacles: &mut impl Obstacles,
+    ) -> bool {
+        if obstacles.stops(leaf) {
+            return self.tree.leaves.closest(leaf, ray, range, &|_| true).is_some();
+        }
+        self.stops_in_places(leaf, ray, range, gap, obstacles)
+    }
+
+    /// Is a ray stopped by one of the surfaces of a leaf that may let it through? Not inlined: from a loop the compiler
+    /// would take out what any shape may ask of the ray, and work it out for every leaf.
+    #[inline(never)]
+    fn stops_in_places(
+        &self,
+        leaf: u32,
+        ray: &Ray,
         mut range: (f64, f64),
         gap: f64,
         obstacles: &mut impl Obstacles,
     ) -> bool {
-        let stops = obstacles.stops(leaf);
+        let leaves = &self.tree.leaves;
+        if let Some(found) = leaves.closest_of_few(leaf, ray, range, gap, |hit| obstacles.meets(hit)) {
+            return found.is_some();
+        }
         while range.0 < range.1 {
-            let Some(hit) = self.tree.leaves.closest(leaf, ray, range, &|_| stops) else { return false };
-            if stops || obstacles.meets(&hit) {
+            let Some(hit) = leaves.closest(leaf, ray, range, &|_| false) else { return false };
+            if obstacles.meets(&hit) {
                 return true;
             }
             range.0 = hit.t + gap;

@@ -128,10 +128,10 @@ const NOBODY: u32 = u32::MAX;
 impl Group {
     /// The part of a range in which a ray may hit it, as far as its convex part tells.
     #[inline(always)]
-    fn span(&self, leaves: &Leaves, ray: &Ray, range: (f64, f64)) -> Option<(f64, f64)> {
+    fn span(&self, ray: &Ray, range: (f64, f64)) -> Option<(f64, f64)> {
         match &self.convex {
             None => Some(range),
-            Some(convex) => convex.span(leaves, ray, range),
+            Some(convex) => convex.span(ray, range),
         }
     }
 
@@ -175,11 +175,46 @@ impl Tree {
         {
             return found;
         }
-        let range = group.span(&self.leaves, &probe.ray, range)?;
+        let range = group.span(&probe.ray, range)?;
         if !self.within_bounds(group, probe, scratch) {
             return None;
         }
-        let all_count = group.all_count();
+        if group.all_count() {
+            return self.closest_of_all(group, probe, range, class, scratch, stops);
+        }
+        self.closest_member(group, probe, range, class, stops, |index, range| {
+            self.closest_that_counts(group, index, probe, range, class, scratch)
+        })
+    }
+
+    /// The nearest hit of the members of a group in which all hits count, its bounds not asked.
+    #[inline]
+    pub(crate) fn closest_of_all<F: Fn(&Hit) -> bool>(
+        &self,
+        group: &Group,
+        probe: &Probe,
+        range: (f64, f64),
+        class: u8,
+        scratch: &mut Scratch,
+        stops: &F,
+    ) -> Option<Hit> {
+        self.closest_member(group, probe, range, class, stops, |index, range| {
+            let node = group.members[index as usize].node;
+            self.closest(node, probe, range, class, scratch, stops)
+        })
+    }
+
+    /// The nearest of the hits that `ask` finds of the members of a group, or any that `stops` says yes to.
+    #[inline(always)]
+    fn closest_member(
+        &self,
+        group: &Group,
+        probe: &Probe,
+        range: (f64, f64),
+        class: u8,
+        stops: &impl Fn(&Hit) -> bool,
+        mut ask: impl FnMut(u32, (f64, f64)) -> Option<Hit>,
+    ) -> Option<Hit> {
         let mut best: Option<Hit> = None;
         group.surfaces.closest(probe, range, |index, far, within| {
             let member = &group.members[index as usize];
@@ -191,10 +226,7 @@ impl Tree {
             if group.ranked && best.is_some() && range.1 == far {
                 range.1 = far.next_up();
             }
-            let hit = match all_count {
-                true => self.closest(member.node, probe, range, class, scratch, stops)?,
-                false => self.closest_that_counts(group, index, probe, range, class, scratch)?,
-            };
+            let hit = ask(index, range)?;
             if best.is_some_and(|best| !self.stands_before(&hit, &best)) {
                 return None;
             }
@@ -225,7 +257,7 @@ impl Tree {
         let counts = |t: f64| self.counts(group, member, probe.ray.at(t));
         if let Node::Leaf(leaf) = node.node() {
             let ray = &probe.ray;
-            let found = self.leaves.closest_of_few(leaf, ray, range, counts);
+            let found = self.leaves.closest_of_few(leaf, ray, range, 0.0, |hit| counts(hit.t));
             if let Some(found) = found.or_else(|| self.leaves.closest_counted(leaf, ray, range, counts)) {
                 return found;
             }
@@ -261,7 +293,7 @@ impl Tree {
             }
             hits.truncate(start);
         }
-        let Some(range) = group.span(&self.leaves, &probe.ray, range) else { return };
+        let Some(range) = group.span(&probe.ray, range) else { return };
         if !self.within_bounds(group, probe, scratch) {
             return;
         }
