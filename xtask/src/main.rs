@@ -1,8 +1,9 @@
-//! The house's own tools: `cargo xtask tidy | conformance | bench | speed-parse | scaling | fuzz`. No other crate may depend on this one.
+//! The house's own tools: `cargo xtask tidy | conformance | bench | speed-parse | scaling | fuzz | dist`. No other crate may depend on this one.
 
 mod args;
 mod bench;
 mod conformance;
+mod dist;
 mod fuzz;
 mod picture;
 mod process;
@@ -29,6 +30,8 @@ usage: cargo xtask <command>
       how the time to trace grows with pixels, objects, lights, depth, threads
   fuzz FOLDER [--count 300] [--seed 1] [--seconds 30] [--binary FILE]
       scenes below the folder with a few words changed: each must end in a picture or an error message
+  dist [--cpu NAME]
+      the fastest program: built with what it was seen to do on the scenes of this repository
 ";
 
 fn main() -> ExitCode {
@@ -42,6 +45,7 @@ fn main() -> ExitCode {
         "speed-parse" => bench::parse(&rest),
         "scaling" => scaling::run(&rest),
         "fuzz" => fuzz::run(&rest),
+        "dist" => dist::run(&rest),
         _ => Err(USAGE.to_string()),
     };
     match outcome {

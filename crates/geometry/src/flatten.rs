@@ -12,7 +12,7 @@ use crate::leaf::{Leaf, Leaves};
 use crate::materials::Materials;
 use crate::shape_pool::{PlacedShape, ShapePool};
 use crate::solid::Solid;
-use crate::texturing::{Cutaway, Parts};
+use crate::texturing::{Cutaway, LeafParts, Parts};
 use crate::tree::{Group, Member, NodeRef, Op};
 use crate::{BuildError, LightGroupId, MaterialId, PlacedLight, RayClass, TextureId};
 
@@ -22,6 +22,7 @@ pub(crate) struct Flat {
     pub(crate) groups: Vec<Group>,
     /// The outermost union.
     pub(crate) world: Group,
+    /// All of it, if it is a few simple leaves.
     pub(crate) few: Vec<Member>,
     /// Members of it whose inside reaches beyond their boxes, and these.
     pub(crate) overreaching: Vec<(u32, Aabb)>,
@@ -144,11 +145,11 @@ impl Walk {
             self.pool.place(&mut self.leaves, shape, &c.world_from_here, c.inverted)?;
         let index = self.leaves.leaves.len();
         let material = if c.form_only { MaterialId(u32::MAX) } else { c.material(&mut self.materials) };
-        self.leaves.leaves.push(Leaf { prim, material, inverted, rank: index as u32 });
+        self.leaves.leaves.push(Leaf { prim, material, inverted, has_parts: false, rank: index as u32 });
         if !c.form_only {
             self.part_textures(object, shape, c, index as u32);
             if c.cutaway.is_some() {
-                self.parts.entry(index as u32).or_default().cutaway = c.cutaway;
+                self.parts_of(index as u32).cutaway = c.cutaway;
             }
         }
         let reach = if inside.is_empty() { surface } else { inside };
@@ -173,8 +174,13 @@ impl Walk {
             _ => return,
         };
         if textures.iter().any(Option::is_some) {
-            self.parts.entry(leaf).or_default().textures = textures;
+            self.parts_of(leaf).textures = textures;
         }
+    }
+
+    fn parts_of(&mut self, leaf: u32) -> &mut LeafParts {
+        self.leaves.leaves[leaf as usize].has_parts = true;
+        self.parts.entry(leaf).or_default()
     }
 
     /// Several objects become one group, or more members of the group around them where that means the same.

@@ -14,6 +14,8 @@ pub(crate) struct Leaf {
     pub(crate) material: MaterialId,
     /// Turned inside out on the way down.
     pub(crate) inverted: bool,
+    /// Has it more textures than its material's, listed in [`crate::texturing::Parts`]?
+    pub(crate) has_parts: bool,
     /// Of surfaces of one object at the same distance, that of the leaf with the highest rank is seen.
     pub(crate) rank: u32,
 }
@@ -66,32 +68,36 @@ impl LocalRay {
         LocalRay { ray: Ray::new(local.origin, local.dir / stretch), stretch }
     }
 
-    /// The nearest hit within a range of world distances. Rounding on the way to local distances and back must not
-    /// let a hit through that the range shuts out.
-    #[inline]
-    fn closest(
-        &self,
-        shape: &ShapeKind,
-        range: (f64, f64),
-        stops: impl Fn(&LocalHit) -> bool,
-    ) -> Option<LocalHit> {
-        let mut local_range = self.range(range);
-        for _ in 0..ROUNDING_TRIES {
-            let hit = shape.closest_or(&self.ray, local_range, &stops)?;
-            let t = hit.t / self.stretch;
-            if t > range.0 {
-                return (t < range.1).then_some(hit);
-            }
-            // Some shapes keep their distances only to within rounding.
-            local_range.0 = hit.t.max(local_range.0) * (1.0 + 4.0 * f64::EPSILON);
-        }
-        None
-    }
-
     #[inline]
     fn range(&self, range: (f64, f64)) -> (f64, f64) {
         (range.0 * self.stretch, range.1 * self.stretch)
     }
+}
+
+/// The nearest hit of a shape at a place within a range of world distances, with its own. Not inlined: a caller that asks
+/// many leaves would make its ray ready for a place before it knows whether there is one.
+#[inline(never)]
+fn closest_placed(
+    shape: &ShapeKind,
+    object_from_world: &Affine,
+    ray: &Ray,
+    range: (f64, f64),
+    stops: impl Fn(f64, &LocalHit) -> bool,
+) -> Option<(f64, LocalHit)> {
+    let local = LocalRay::new(ray, object_from_world);
+    let stops = |hit: &LocalHit| stops(hit.t / local.stretch, hit);
+    let mut local_range = local.range(range);
+    for _ in 0..ROUNDING_TRIES {
+        let hit = shape.closest_or(&local.ray, local_range, &stops)?;
+        let t = hit.t / local.stretch;
+        // Rounding on the way to local distances and back must not let a hit through that the range shuts out.
+        if t > range.0 {
+            return (t < range.1).then_some((t, hit));
+        }
+        // Some shapes keep their distances only to within rounding.
+        local_range.0 = hit.t.max(local_range.0) * (1.0 + 4.0 * f64::EPSILON);
+    }
+    None
 }
 
 impl Leaves {
@@ -117,10 +123,9 @@ impl Leaves {
                 self.shapes[*s as usize].closest_or(ray, range, |local| stops(&at(local.t, *local)))?
             }
             Prim::Placed { shape, place } => {
-                let local = LocalRay::new(ray, &self.places[*place as usize]);
-                let world = |hit: &LocalHit| at(hit.t / local.stretch, *hit);
-                let hit = local.closest(&self.shapes[*shape as usize], range, |hit| stops(&world(hit)))?;
-                return Some(world(&hit));
+                let (shape, place) = (&self.shapes[*shape as usize], &self.places[*place as usize]);
+                let (t, local) = closest_placed(shape, place, ray, range, |t, local| stops(&at(t, *local)))?;
+                return Some(at(t, local));
             }
         };
         Some(at(local.t, local))

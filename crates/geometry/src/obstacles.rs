@@ -125,14 +125,31 @@ impl Geometry {
         &self,
         leaf: u32,
         ray: &Ray,
-        mut range: (f64, f64),
+        range: (f64, f64),
         gap: f64,
         obstacles: &mut impl Obstacles,
     ) -> bool {
         let stops = obstacles.stops(leaf);
+        let Some(hit) = self.tree.leaves.closest(leaf, ray, range, &|_| stops) else { return false };
+        stops
+            || obstacles.meets(&hit)
+            || self.stops_farther(leaf, ray, (hit.t + gap, range.1), gap, obstacles)
+    }
+
+    /// Is a ray stopped by another surface of a leaf that has let it through once? Not inlined: from a loop the compiler
+    /// would take out what any shape may ask of the ray, and work it out for every leaf.
+    #[inline(never)]
+    fn stops_farther(
+        &self,
+        leaf: u32,
+        ray: &Ray,
+        mut range: (f64, f64),
+        gap: f64,
+        obstacles: &mut impl Obstacles,
+    ) -> bool {
         while range.0 < range.1 {
-            let Some(hit) = self.tree.leaves.closest(leaf, ray, range, &|_| stops) else { return false };
-            if stops || obstacles.meets(&hit) {
+            let Some(hit) = self.tree.leaves.closest(leaf, ray, range, &|_| false) else { return false };
+            if obstacles.meets(&hit) {
                 return true;
             }
             range.0 = hit.t + gap;

@@ -46,12 +46,16 @@ impl Texturing<'_> {
         if let (true, Some(texture)) = (from_inside, material.interior_texture) {
             return smallvec![whole(texture)];
         }
-        if self.parts.is_empty() {
-            return alone(material.texture);
+        match self.tree.leaves.leaves[hit.leaf as usize].has_parts {
+            true => self.of_leaf(hit, p, local, material),
+            false => alone(material.texture),
         }
-        let Some(parts) = self.parts.get(&hit.leaf) else {
-            return alone(material.texture);
-        };
+    }
+
+    /// The textures of a leaf that has more than its material's.
+    #[inline(never)]
+    fn of_leaf(&self, hit: &Hit, p: Vec3, local: Vec3, material: &Material) -> Uses {
+        let Some(parts) = self.parts.get(&hit.leaf) else { return alone(material.texture) };
         let object = match parts.cutaway {
             Some(cutaway) => self.cut(&cutaway, p),
             None => alone(material.texture),

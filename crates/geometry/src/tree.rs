@@ -179,7 +179,42 @@ impl Tree {
         if !self.within_bounds(group, probe, scratch) {
             return None;
         }
-        let all_count = group.all_count();
+        if group.all_count() {
+            return self.closest_of_all(group, probe, range, class, scratch, stops);
+        }
+        self.closest_member(group, probe, range, class, stops, |index, range| {
+            self.closest_that_counts(group, index, probe, range, class, scratch)
+        })
+    }
+
+    /// The nearest hit of the members of a group in which all hits count, its bounds not asked.
+    #[inline]
+    pub(crate) fn closest_of_all<F: Fn(&Hit) -> bool>(
+        &self,
+        group: &Group,
+        probe: &Probe,
+        range: (f64, f64),
+        class: u8,
+        scratch: &mut Scratch,
+        stops: &F,
+    ) -> Option<Hit> {
+        self.closest_member(group, probe, range, class, stops, |index, range| {
+            let node = group.members[index as usize].node;
+            self.closest(node, probe, range, class, scratch, stops)
+        })
+    }
+
+    /// The nearest of the hits that `ask` finds of the members of a group, or any that `stops` says yes to.
+    #[inline(always)]
+    fn closest_member(
+        &self,
+        group: &Group,
+        probe: &Probe,
+        range: (f64, f64),
+        class: u8,
+        stops: &impl Fn(&Hit) -> bool,
+        mut ask: impl FnMut(u32, (f64, f64)) -> Option<Hit>,
+    ) -> Option<Hit> {
         let mut best: Option<Hit> = None;
         group.surfaces.closest(probe, range, |index, far, within| {
             let member = &group.members[index as usize];
@@ -191,10 +226,7 @@ impl Tree {
             if group.ranked && best.is_some() && range.1 == far {
                 range.1 = far.next_up();
             }
-            let hit = match all_count {
-                true => self.closest(member.node, probe, range, class, scratch, stops)?,
-                false => self.closest_that_counts(group, index, probe, range, class, scratch)?,
-            };
+            let hit = ask(index, range)?;
             if best.is_some_and(|best| !self.stands_before(&hit, &best)) {
                 return None;
             }

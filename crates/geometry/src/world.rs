@@ -225,8 +225,8 @@ impl Geometry {
         if !self.few.is_empty() {
             return self.closest_of_few(ray, range, class);
         }
-        let mut scratch = Scratch::default();
-        self.tree.group_closest(&self.world, &Probe::new(ray), range, class.bit(), &mut scratch, &|_| false)
+        let (probe, scratch) = (Probe::new(ray), &mut Scratch::default());
+        self.tree.closest_of_all(&self.world, &probe, range, class.bit(), scratch, &|_| false)
     }
 
     /// [`Geometry::closest`] in a world of a few leaves.
@@ -263,9 +263,10 @@ impl Geometry {
     }
 
     /// The material of a leaf whose textures are that material's alone; `None` where parts of the leaf have their own.
+    #[inline]
     pub fn plain_material(&self, leaf: u32) -> Option<MaterialId> {
-        let plain = self.parts.is_empty() || !self.parts.contains_key(&leaf);
-        plain.then(|| self.tree.leaves.leaves[leaf as usize].material)
+        let leaf = &self.tree.leaves.leaves[leaf as usize];
+        (!leaf.has_parts).then_some(leaf.material)
     }
 
     /// What is known about the surface at a hit.

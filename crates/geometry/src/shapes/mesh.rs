@@ -36,8 +36,9 @@ impl MeshShape {
         MeshShape { mesh: mesh.clone(), triangles, parts }
     }
 
-    /// The nearest hit, or any that `stops` says yes to.
-    #[inline]
+    /// The nearest hit, or any that `stops` says yes to. Not inlined: it makes rays ready in a way that no other shape
+    /// needs.
+    #[inline(never)]
     pub(crate) fn closest_or(
         &self,
         ray: &Ray,

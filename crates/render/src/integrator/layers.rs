@@ -11,7 +11,7 @@ use super::surface::SurfacePoint;
 use super::{NormalPath, Seen, Tracer};
 
 /// What the layers so far leave for what lies below.
-struct Stack {
+struct Stack<'a> {
     /// The sum of light.
     light: Rgb,
     /// What the layers let through.
@@ -23,7 +23,7 @@ struct Stack {
     /// The normal of the top layer.
     n_top: Vec3,
     /// The thin film of the top layer, which colours total reflection.
-    irid_top: Option<Irid>,
+    irid_top: Option<&'a Irid>,
     /// Diffuse light from other surfaces before and behind, found once for all layers.
     around: [Option<Rgb>; 2],
     /// The radius of the photons gathered, found once for all layers.
@@ -65,11 +65,11 @@ impl Tracer<'_> {
             };
             if i == 0 {
                 stack.n_top = n;
-                stack.irid_top = layer.finish.irid;
+                stack.irid_top = layer.finish.irid.as_ref();
             }
             self.layer(point, layer, n, (p, path), context, &mut stack);
         }
-        self.beyond(point, stack)
+        self.beyond(point, &stack)
     }
 
     /// Adds one layer.
@@ -80,7 +80,7 @@ impl Tracer<'_> {
         n: Vec3,
         (p, path): (Vec3, &NormalPath<'_>),
         context: &Context,
-        stack: &mut Stack,
+        stack: &mut Stack<'_>,
     ) {
         let footprint = match layer.pigment.is_smooth() {
             true => self.footprint(point, path, p),
@@ -159,7 +159,7 @@ impl Tracer<'_> {
         finish: &Finish,
         n: Vec3,
         tint: Rgb,
-        stack: &mut Stack,
+        stack: &mut Stack<'_>,
     ) -> Rgb {
         let mut sum = Rgb::ZERO;
         let sides = [(finish.diffuse_raw, n), (finish.diffuse_back_raw, -n)];
@@ -204,7 +204,7 @@ impl Tracer<'_> {
     }
 
     /// Adds what shines through and what the layers mirror.
-    fn beyond(&mut self, point: &SurfacePoint<'_>, stack: Stack) -> Seen {
+    fn beyond(&mut self, point: &SurfacePoint<'_>, stack: &Stack<'_>) -> Seen {
         let mut seen = Seen { rgb: stack.light, transmit: 0.0 };
         let mut total = false;
         if stack.through > self.bailout && self.quality.refraction() {
@@ -213,7 +213,7 @@ impl Tracer<'_> {
             let fade = self.world.interior(point.material.interior).seen_through(point);
             total = behind.total;
             if total {
-                seen.rgb += fade * behind.seen.rgb * self.film(stack.irid_top.as_ref(), point, stack.n_top);
+                seen.rgb += fade * behind.seen.rgb * self.film(stack.irid_top, point, stack.n_top);
             } else {
                 let filter = if stack.colored { stack.filter } else { Rgb::ONE };
                 seen.rgb += fade * behind.seen.rgb * filter;
