@@ -111,6 +111,13 @@ impl Touched {
         (range.0 <= far).then_some(Touch { place: first, range })
     }
 
+    /// Leaves out a place; says whether its box was among those left.
+    #[inline]
+    pub fn take(&mut self, place: usize) -> bool {
+        let rest = self.mask & !(1 << place);
+        std::mem::replace(&mut self.mask, rest) != rest
+    }
+
     /// The places of all boxes touched, in their order in the row.
     #[inline]
     pub fn each(self, mut visit: impl FnMut(usize)) {

@@ -107,8 +107,8 @@ impl List {
         self.members[place]
     }
 
-    pub(crate) fn holds(&self, member: u32) -> bool {
-        self.members.contains(&member)
+    pub(crate) fn place(&self, member: u32) -> Option<usize> {
+        self.members.iter().position(|&m| m == member)
     }
 }
 
