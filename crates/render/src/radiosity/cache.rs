@@ -138,6 +138,8 @@ struct Node {
     centre: Vec3,
     /// The side, which is half that of the doubled cell.
     side: f64,
+    /// One over a quarter of the side, which is a power of two.
+    per_quarter: f64,
     level: i32,
     index: [i64; 3],
     children: [u32; 8],
@@ -183,6 +185,7 @@ impl Node {
         Node {
             centre,
             side,
+            per_quarter: 4.0 / side,
             level,
             index,
             children: [NONE; 8],
@@ -225,16 +228,15 @@ impl Node {
     }
 
     /// Which children's doubled cells hold the point: a bit each, found without looking at them.
+    #[inline]
     fn reaching(&self, p: Vec3) -> u8 {
-        let offset = (p - self.centre) / (self.side / 4.0);
+        let offset = (p - self.centre) * self.per_quarter;
         // By axis: the children on the upper side, and those on the lower side.
         const UPPER: [u8; 3] = [0b1010_1010, 0b1100_1100, 0b1111_0000];
-        let side = |k: usize| {
-            let upper = if (-1.0..=3.0).contains(&offset[k]) { UPPER[k] } else { 0 };
-            let lower = if (-3.0..=1.0).contains(&offset[k]) { !UPPER[k] } else { 0 };
-            upper | lower
-        };
-        side(0) & side(1) & side(2)
+        let all = |which: bool| 0u8.wrapping_sub(u8::from(which));
+        let side =
+            |x: f64, upper: u8| all(x.abs() <= 3.0) & ((upper & all(x >= -1.0)) | (!upper & all(x <= 1.0)));
+        side(offset.x, UPPER[0]) & side(offset.y, UPPER[1]) & side(offset.z, UPPER[2])
     }
 }
 
