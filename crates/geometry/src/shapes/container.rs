@@ -22,6 +22,7 @@ pub(crate) fn contains(container: &Container, p: Vec3) -> bool {
 }
 
 /// Where the ray enters and leaves; the entry may be negative.
+#[inline]
 pub(crate) fn span(container: &Container, ray: &Ray) -> Option<(f64, f64)> {
     match *container {
         Container::Box { min, max } => Aabb { min, max }.hit(ray),

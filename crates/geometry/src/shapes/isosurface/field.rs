@@ -90,6 +90,21 @@ impl Model {
         (self.middle + self.slope.dot(d), self.spread.dot(d.abs()))
     }
 
+    /// How much the value may change along a way at least and at most.
+    #[inline(always)]
+    pub(super) fn change(&self, way: Vec3, sign: f64) -> Range {
+        let (middle, off) = (sign * self.slope.dot(way), self.spread.dot(way.abs()));
+        Range { lo: middle - off, hi: middle + off }
+    }
+
+    /// What `sign` times the value is not below at a point of the box, and at the end of a way from there.
+    #[inline(always)]
+    pub(super) fn least(&self, p: Vec3, way: Vec3, sign: f64) -> (f64, f64) {
+        let d = p - self.centre;
+        let at = |d: Vec3| sign * (self.middle + self.slope.dot(d)) - self.spread.dot(d.abs());
+        (at(d), at(d + way))
+    }
+
     /// Where the slope along a direction lies.
     #[inline]
     pub(super) fn along(&self, dir: Vec3) -> Range {
@@ -199,8 +214,18 @@ impl Field {
     }
 
     /// The halves of a box that is to be cut.
-    #[inline]
+    #[inline(always)]
     pub(super) fn halves<'a>(&self, cell: &'a Cell) -> &'a [Cell; 2] {
+        match cell.halves.get() {
+            Some(halves) => halves,
+            None => self.cut(cell),
+        }
+    }
+
+    /// Cuts a box that no ray has come to before.
+    #[cold]
+    #[inline(never)]
+    fn cut<'a>(&self, cell: &'a Cell) -> &'a [Cell; 2] {
         cell.halves.get_or_init(|| {
             let (mut low, mut high) = (cell.known.bounds, cell.known.bounds);
             low.max[usize::from(cell.axis)] = cell.plane;

@@ -144,29 +144,25 @@ impl<'a> Search<'a> {
 
     /// Is there surely nothing below zero in a stretch of a box? The value where it begins is not below `least`, which is
     /// then made to hold for its end.
-    #[inline]
+    #[inline(always)]
     fn is_free(&self, cell: &Cell, (from, to): (f64, f64), least: &mut f64) -> bool {
         if cell.least(self.sign) > 0.0 {
             *least = cell.least(self.sign);
             return true;
         }
-        let model = cell.model();
-        let slope = model.along(self.ray.dir * self.sign);
-        let length = to - from;
-        if *least >= 0.0 && slope.lo >= 0.0 {
-            *least += slope.lo * length;
+        let way = self.ray.dir * (to - from);
+        let change = cell.model().change(way, self.sign);
+        if *least >= 0.0 && change.lo >= 0.0 {
+            *least += change.lo;
             return true;
         }
-        let least_at = |t: f64| {
-            let (middle, off) = model.at(self.ray.at(t));
-            self.sign * middle - off
-        };
-        let ends = (least_at(from), least_at(to));
-        let (entry, exit) = (least.max(ends.0), ends.1.max(*least + slope.lo * length));
+        let ends = cell.model().least(self.ray.at(from), way, self.sign);
+        let entry = greater(ends.0, *least);
+        let exit = greater(ends.1, *least + change.lo);
         // Between the ends what the model allows is not less than at one of them.
         let is_free = entry >= 0.0
             && exit >= 0.0
-            && (ends.0.min(ends.1) >= 0.0 || lowest(entry, exit, length, slope) >= 0.0);
+            && ((ends.0 >= 0.0 && ends.1 >= 0.0) || lowest(entry, exit, 1.0, change) >= 0.0);
         if is_free {
             *least = exit;
         }
@@ -331,6 +327,12 @@ struct Known {
     index: u64,
     t: f64,
     value: Range,
+}
+
+/// The greater of two numbers; the second, if one is none.
+#[inline(always)]
+fn greater(a: f64, b: f64) -> f64 {
+    if a > b { a } else { b }
 }
 
 /// The least value that a function with slopes in a range can have on a way between two values.

@@ -1,25 +1,29 @@
 //! A ray's way through the boxes of a field.
 use raggio_math::Ray;
-use smallvec::SmallVec;
 
 use super::field::{Cell, Field, MOST_CUTS, NONE};
+
+/// Room for as many boxes as can wait.
+const ROOM: usize = MOST_CUTS as usize + 2;
 
 /// A ray's way through the boxes that are not cut, in their order.
 pub(super) struct Walk<'a> {
     field: &'a Field,
-    origin: [f64; 3],
-    inverse: [f64; 3],
+    /// By axis; the fourth is none.
+    origin: [f64; 4],
+    inverse: [f64; 4],
     /// Which half of a box comes first, by the axis of the cut.
-    near: [usize; 3],
+    near: [usize; 4],
     /// Where the ray goes on, and where its way ends.
     at: f64,
     end: f64,
-    /// Where the ray comes into the last box.
-    from: f64,
     /// Boxes to go on with, the next one last, and where the ray leaves them.
-    waiting: SmallVec<[(&'a Cell, f64); MOST_CUTS as usize + 1]>,
-    /// The last box that was not free, and where the ray leaves it.
+    waiting: [(&'a Cell, f64); ROOM],
+    /// How many boxes wait.
+    count: usize,
+    /// The last box that was not free, and where the ray comes into it and leaves it.
     last: (&'a Cell, f64),
+    from: f64,
 }
 
 impl<'a> Walk<'a> {
@@ -27,19 +31,19 @@ impl<'a> Walk<'a> {
     #[inline]
     pub(super) fn new(field: &'a Field, ray: &Ray, (from, end): (f64, f64)) -> Self {
         let near = |along: f64| usize::from(along.is_sign_negative());
-        let root = field.root();
-        let mut waiting = SmallVec::new();
-        waiting.push((root, end));
+        let root = (field.root(), end);
+        let inverse = ray.dir.recip();
         Walk {
             field,
-            origin: ray.origin.into(),
-            inverse: ray.dir.recip().into(),
-            near: [near(ray.dir.x), near(ray.dir.y), near(ray.dir.z)],
-            from,
+            origin: [ray.origin.x, ray.origin.y, ray.origin.z, 0.0],
+            inverse: [inverse.x, inverse.y, inverse.z, 0.0],
+            near: [near(ray.dir.x), near(ray.dir.y), near(ray.dir.z), 0],
             at: from,
             end,
-            waiting,
-            last: (root, end),
+            waiting: [root; ROOM],
+            count: 1,
+            last: root,
+            from,
         }
     }
 
@@ -49,61 +53,74 @@ impl<'a> Walk<'a> {
         &mut self,
         mut is_free: impl FnMut(&Cell, (f64, f64)) -> bool,
     ) -> Option<(&'a Cell, (f64, f64))> {
-        while let Some((mut cell, mut to)) = self.waiting.pop() {
-            let from = self.at;
-            while cell.axis != NONE {
-                (cell, to) = self.half(cell, to);
-            }
+        while let Some((cell, to)) = self.pop() {
+            let stretch = (self.at, to);
             self.at = to;
-            if !is_free(cell, (from, to)) {
-                (self.from, self.last) = (from, (cell, to));
-                return Some((cell, (from, to)));
+            if !is_free(cell, stretch) {
+                (self.from, self.last) = (stretch.0, (cell, to));
+                return Some((cell, stretch));
             }
         }
         None
     }
 
-    /// The half of a box where the ray goes on, and where the ray leaves it. The other half waits, if the ray comes there.
-    #[inline]
-    fn half(&mut self, cell: &'a Cell, to: f64) -> (&'a Cell, f64) {
-        let axis = usize::from(cell.axis);
-        let halves = self.field.halves(cell);
-        // Along the plane this is infinite, with the sign that leads to the side where the ray is.
-        let crossing = (cell.plane - self.origin[axis]) * self.inverse[axis];
-        let near = self.near[axis];
-        if crossing <= self.at {
-            (&halves[near ^ 1], to)
-        } else if crossing < to {
-            self.waiting.push((&halves[near ^ 1], to));
-            (&halves[near], crossing)
-        } else {
-            (&halves[near], to)
+    /// The box that is not cut where the walk goes on, and where the ray leaves it. The parts around it that the ray
+    /// comes to wait from then on.
+    #[inline(always)]
+    fn pop(&mut self) -> Option<(&'a Cell, f64)> {
+        self.count = self.count.checked_sub(1)?;
+        let (mut cell, mut to) = *self.waiting.get(self.count)?;
+        let from = self.at;
+        while cell.axis != NONE {
+            let axis = usize::from(cell.axis & 3);
+            let near = self.near[axis] & 1;
+            let halves = self.field.halves(cell);
+            // Along the plane this is infinite, with the sign that leads to the side where the ray is.
+            let crossing = (cell.plane - self.origin[axis]) * self.inverse[axis];
+            if crossing <= from {
+                cell = &halves[near ^ 1];
+                continue;
+            }
+            cell = &halves[near];
+            // Whether the other half is reached is hard to foresee, so it is written down in any case.
+            if let Some(place) = self.waiting.get_mut(self.count) {
+                *place = (&halves[near ^ 1], to);
+            }
+            let comes_there = crossing < to;
+            self.count += usize::from(comes_there);
+            to = if comes_there { crossing } else { to };
         }
+        Some((cell, to))
     }
 
     /// The box that is not cut where the walk goes on, and where the ray leaves it.
-    #[inline]
+    #[inline(never)]
     pub(super) fn here(&mut self) -> (&'a Cell, f64) {
-        let (mut cell, mut to) = self.waiting.pop().unwrap_or(self.last);
-        while cell.axis != NONE {
-            (cell, to) = self.half(cell, to);
+        let here = self.pop().unwrap_or(self.last);
+        self.push(here);
+        here
+    }
+
+    #[inline]
+    fn push(&mut self, cell: (&'a Cell, f64)) {
+        if let Some(place) = self.waiting.get_mut(self.count) {
+            *place = cell;
+            self.count += 1;
         }
-        self.waiting.push((cell, to));
-        (cell, to)
     }
 
     /// Goes on elsewhere; a long way back begins anew.
     #[inline]
     pub(super) fn go_to(&mut self, t: f64) {
         if t >= self.at {
-            while self.waiting.last().is_some_and(|&(_, to)| to <= t) {
-                self.waiting.pop();
+            while self.count > 0 && self.waiting.get(self.count - 1).is_some_and(|&(_, to)| to <= t) {
+                self.count -= 1;
             }
         } else if t >= self.from && self.last.1 == self.at {
-            self.waiting.push(self.last);
+            self.push(self.last);
         } else {
-            self.waiting.clear();
-            self.waiting.push((self.field.root(), self.end));
+            self.count = 0;
+            self.push((self.field.root(), self.end));
         }
         (self.from, self.at) = (t, t);
     }
