@@ -17,6 +17,22 @@ pub(crate) struct Cuboid {
     max: Vec3,
 }
 
+/// A ray, whose direction may be of any length, made ready for many boxes.
+#[derive(Default)]
+pub(crate) struct AxisRay {
+    origin: Vec3,
+    /// One over the direction; infinite along axes across it.
+    inverse: Vec3,
+}
+
+impl AxisRay {
+    #[inline(always)]
+    pub(crate) fn new(ray: &Ray) -> Self {
+        // Adding zero makes both zeros one.
+        AxisRay { origin: ray.origin, inverse: (ray.dir + Vec3::ZERO).recip() }
+    }
+}
+
 /// Where a ray enters and leaves the slab of each axis, and the box.
 struct Way {
     near: [f64; 3],
@@ -112,10 +128,22 @@ impl Cuboid {
         (entry <= exit).then_some(Way { near, far, entry, exit })
     }
 
-    /// Where the ray, whose direction may be of any length, is inside.
+    /// Where the ray is inside.
     #[inline(always)]
-    pub(crate) fn stretch(&self, ray: &Ray) -> Stretch {
-        Stretch::between(self.way(ray).map(|way| (way.entry, way.exit)))
+    pub(crate) fn stretch(&self, ray: &AxisRay) -> Stretch {
+        let (low, high) = ((self.min - ray.origin) * ray.inverse, (self.max - ray.origin) * ray.inverse);
+        let (mut enter, mut leave) = (f64::NEG_INFINITY, f64::INFINITY);
+        for axis in 0..3 {
+            // A ray that runs in a side has an end that is no number; it counts as inside, and no comparison holds.
+            let (a, b) = (low[axis], high[axis]);
+            let (near, far) = if ray.inverse[axis] < 0.0 { (b, a) } else { (a, b) };
+            enter = most(enter, near);
+            leave = least(leave, far);
+        }
+        match enter <= leave {
+            true => Stretch { enter, leave, beyond: false },
+            false => Stretch::NOWHERE,
+        }
     }
 
     /// Entry and exit, as far as they are in the range.
