@@ -21,15 +21,14 @@ pub(crate) struct Cuboid {
 #[derive(Default)]
 pub(crate) struct AxisRay {
     origin: Vec3,
-    /// One over the direction; infinite along axes across it.
-    inverse: Vec3,
+    /// Without negative zeros.
+    dir: Vec3,
 }
 
 impl AxisRay {
     #[inline(always)]
     pub(crate) fn new(ray: &Ray) -> Self {
-        // Adding zero makes both zeros one.
-        AxisRay { origin: ray.origin, inverse: (ray.dir + Vec3::ZERO).recip() }
+        AxisRay { origin: ray.origin, dir: ray.dir + Vec3::ZERO }
     }
 }
 
@@ -131,12 +130,14 @@ impl Cuboid {
     /// Where the ray is inside.
     #[inline(always)]
     pub(crate) fn stretch(&self, ray: &AxisRay) -> Stretch {
-        let (low, high) = ((self.min - ray.origin) * ray.inverse, (self.max - ray.origin) * ray.inverse);
+        // Divided, not multiplied by one over the direction: faces that coincide with other surfaces then mostly do to the
+        // last bit.
+        let (low, high) = ((self.min - ray.origin) / ray.dir, (self.max - ray.origin) / ray.dir);
         let (mut enter, mut leave) = (f64::NEG_INFINITY, f64::INFINITY);
         for axis in 0..3 {
             // A ray that runs in a side has an end that is no number; it counts as inside, and no comparison holds.
             let (a, b) = (low[axis], high[axis]);
-            let (near, far) = if ray.inverse[axis] < 0.0 { (b, a) } else { (a, b) };
+            let (near, far) = if ray.dir[axis] < 0.0 { (b, a) } else { (a, b) };
             enter = most(enter, near);
             leave = least(leave, far);
         }
