@@ -2,7 +2,7 @@
 use raggio_math::{Affine, Ray, Vec3};
 
 use crate::leaf::{Leaves, Prim};
-use crate::shapes::{Cone, Cuboid, Plane, Quadric, ShapeKind, Sphere, Stretch};
+use crate::shapes::{AxisRay, Cone, Cuboid, Plane, Quadric, ShapeKind, Sphere, Stretch};
 
 /// Quadrics whose transform distorts by no more than this are multiplied out: what rounding does to them then is far
 /// below all tolerances.
@@ -19,8 +19,9 @@ pub(crate) enum Body {
         quadric: Quadric,
         centre: Vec3,
     },
-    /// A box, cone or quadric, each with `object_from_world`.
-    PlacedBox(Cuboid, Affine),
+    /// A box at a place: its number and `object_from_world`.
+    PlacedBox(Cuboid, u32, Affine),
+    /// A cone or quadric with `object_from_world`.
     PlacedCone(Cone, Affine),
     PlacedQuadric(Quadric, Affine),
 }
@@ -33,17 +34,18 @@ impl Body {
             Prim::Sphere { sphere, .. } => Some(Body::Ball(sphere)),
             Prim::Plane(plane) => Some(Body::Half(plane)),
             Prim::Box(cuboid) => Some(Body::Box(cuboid)),
-            Prim::PlacedBox { cuboid, place: id } => Some(Body::PlacedBox(cuboid, place(id))),
+            Prim::PlacedBox { cuboid, place: id } => Some(Body::PlacedBox(cuboid, id, place(id))),
             Prim::World(shape) => Body::of_shape(&leaves.shapes[shape as usize], None),
-            Prim::Placed { shape, place: id } => {
-                Body::of_shape(&leaves.shapes[shape as usize], Some(place(id)))
-            }
+            Prim::Placed { shape, place: id } => match &leaves.shapes[shape as usize] {
+                ShapeKind::Box(cuboid) => Some(Body::PlacedBox(*cuboid, id, place(id))),
+                shape => Body::of_shape(shape, Some(place(id))),
+            },
         }
     }
 
     fn of_shape(shape: &ShapeKind, place: Option<Affine>) -> Option<Body> {
         Some(match (shape, place) {
-            (ShapeKind::Box(cuboid), place) => Body::PlacedBox(*cuboid, place.unwrap_or(Affine::IDENTITY)),
+            (ShapeKind::Box(cuboid), None) => Body::Box(*cuboid),
             (ShapeKind::Cone(cone), _) if !cone.is_convex() => return None,
             (ShapeKind::Cone(cone), None) => Body::Cone(**cone),
             (ShapeKind::Cone(cone), Some(place)) => Body::PlacedCone(**cone, place),
@@ -70,16 +72,16 @@ impl Body {
         Body::PlacedQuadric(*quadric, Affine::from_translation(-centre) * object_from_world)
     }
 
-    /// Where the ray is inside.
+    /// Where the ray is inside. What `ready` keeps from body to body is of this ray.
     #[inline(always)]
-    pub(crate) fn stretch(&self, ray: &Ray) -> Stretch {
+    pub(crate) fn stretch(&self, ray: &Ray, ready: &mut Ready) -> Stretch {
         match self {
             Body::Ball(sphere) => sphere.stretch(ray),
             Body::Half(plane) => plane.stretch(ray),
-            Body::Box(cuboid) => cuboid.stretch(ray),
+            Body::Box(cuboid) => cuboid.stretch(ready.at(Ready::WORLD, || *ray)),
             Body::Cone(cone) => cone.stretch(ray),
             Body::Quadric { quadric, centre } => quadric.stretch(&Ray::new(ray.origin - *centre, ray.dir)),
-            Body::PlacedBox(cuboid, place) => cuboid.stretch(&ray.transformed(place)),
+            Body::PlacedBox(cuboid, id, place) => cuboid.stretch(ready.at(*id, || ray.transformed(place))),
             Body::PlacedCone(cone, place) => cone.stretch(&ray.transformed(place)),
             Body::PlacedQuadric(quadric, place) => quadric.stretch(&ray.transformed(place)),
         }
@@ -89,6 +91,32 @@ impl Body {
     pub(crate) fn has_parts(&self) -> bool {
         use Body::{Box, Cone, PlacedBox, PlacedCone};
         matches!(self, Box(_) | Cone(_) | PlacedBox(..) | PlacedCone(..))
+    }
+}
+
+/// A ray made ready for boxes at the place of the last one: neighbours often share theirs.
+pub(crate) struct Ready {
+    place: u32,
+    ray: AxisRay,
+}
+
+impl Ready {
+    /// Stand for no place, and for nothing made ready.
+    const WORLD: u32 = u32::MAX;
+    const NOTHING: u32 = u32::MAX - 1;
+
+    /// For another ray.
+    #[inline(always)]
+    pub(crate) fn new() -> Self {
+        Ready { place: Ready::NOTHING, ray: AxisRay::default() }
+    }
+
+    #[inline(always)]
+    fn at(&mut self, place: u32, moved: impl FnOnce() -> Ray) -> &AxisRay {
+        if self.place != place {
+            *self = Ready { place, ray: AxisRay::new(&moved()) };
+        }
+        &self.ray
     }
 }
 
@@ -113,7 +141,8 @@ mod tests {
             for (x, y, z) in rays {
                 let origin = world_from_object.transform_point3(Vec3::new(x, y, z));
                 let ray = Ray::new(origin, world_from_object.transform_vector3(Vec3::X).normalize());
-                let (a, b) = (body.stretch(&ray), placed.stretch(&ray));
+                let stretch = |body: &Body| body.stretch(&ray, &mut Ready::new());
+                let (a, b) = (stretch(&body), stretch(&placed));
                 assert!((a.enter - b.enter).abs() < 1e-9 * far && (a.leave - b.leave).abs() < 1e-9 * far);
                 assert_eq!(a.beyond, b.beyond);
                 assert!(a.leave > a.enter);

@@ -2,7 +2,7 @@
 //! inside at all. Clips are as good as members.
 use raggio_math::{Aabb, Affine, EPS, Ray, Vec3, transform};
 
-use crate::body::Body;
+use crate::body::{Body, Ready};
 use crate::leaf::Leaves;
 use crate::shapes::Plane;
 use crate::tree::{Node, NodeRef};
@@ -54,8 +54,9 @@ impl Convex {
                 enter = most(depth / slope, enter);
             }
         }
+        let mut ready = Ready::new();
         for body in &self.bodies {
-            let stretch = body.stretch(ray);
+            let stretch = body.stretch(ray, &mut ready);
             if !stretch.beyond {
                 (enter, leave) = (most(stretch.enter, enter), least(stretch.leave, leave));
             }

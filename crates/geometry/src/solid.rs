@@ -7,7 +7,7 @@
 use raggio_math::Ray;
 use smallvec::SmallVec;
 
-use crate::body::Body;
+use crate::body::{Body, Ready};
 use crate::leaf::Leaves;
 use crate::shapes::Stretch;
 use crate::tree::{Group, Node, NodeRef, Op, Tree};
@@ -346,8 +346,9 @@ impl Walk<'_> {
     #[inline]
     fn start(&mut self, ray: &Ray, range: (f64, f64), ends: &mut SmallVec<[End; 24]>) -> bool {
         let (mut from, mut to) = range;
+        let mut ready = Ready::new();
         for (i, part) in self.solid.parts.iter().enumerate() {
-            let Stretch { enter, leave, beyond } = part.body.stretch(ray);
+            let Stretch { enter, leave, beyond } = part.body.stretch(ray, &mut ready);
             if part.holds && !beyond {
                 if leave <= from || enter >= to {
                     return false;

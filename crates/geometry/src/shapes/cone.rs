@@ -75,13 +75,21 @@ impl Cone {
 
     /// Is it closed, and no double cone?
     pub(crate) fn is_convex(&self) -> bool {
-        !self.open && self.base_radius >= 0.0 && self.cap_radius >= 0.0 && self.length > 0.0
+        let one_sided = self.base_radius >= 0.0 && self.cap_radius >= 0.0;
+        !self.open && one_sided && self.widest() > 0.0 && self.length > 0.0
     }
 
-    /// Where the ray, whose direction may be of any length, is inside a convex one: between the planes of the caps, and
-    /// within the side.
+    /// Where the ray, whose direction may be of any length, is inside a convex one.
     #[inline(always)]
     pub(crate) fn stretch(&self, ray: &Ray) -> Stretch {
+        Stretch::between(self.ends(ray).map(|ends| ends.map(|(t, _)| t).into()))
+    }
+
+    /// Where the ray enters and leaves a convex one, by which parts: inside is between the planes of the caps, and within
+    /// the side.
+    #[inline(always)]
+    fn ends(&self, ray: &Ray) -> Option<[(f64, u32); 2]> {
+        // Work from the point of the ray nearest to the middle: far origins lose no digits.
         let to_middle = self.base + self.axis * (0.5 * self.length) - ray.origin;
         let shift = to_middle.dot(ray.dir) / ray.dir.length_squared();
         let (oh, offset) = self.split(ray.at(shift) - self.base);
@@ -90,13 +98,15 @@ impl Cone {
             true if dh > 0.0 => (-oh / dh, (self.length - oh) / dh),
             true => ((self.length - oh) / dh, -oh / dh),
             false if oh >= 0.0 && oh <= self.length => (f64::NEG_INFINITY, f64::INFINITY),
-            false => return Stretch::NOWHERE,
+            false => return None,
         };
         let (enter, leave) = self.held_by_side(caps, self.side_along(oh, offset, dh, across), dh);
-        match enter < leave {
-            true => Stretch { enter: enter + shift, leave: leave + shift, beyond: false },
-            false => Stretch::NOWHERE,
-        }
+        let (first, last) = if dh > 0.0 { (BASE, CAP) } else { (CAP, BASE) };
+        let part = |t: f64, plane: f64, cap: u32| if t == plane { cap } else { SIDE };
+        (enter < leave).then_some([
+            (enter + shift, part(enter, caps.0, first)),
+            (leave + shift, part(leave, caps.1, last)),
+        ])
     }
 
     /// What the side leaves of the way between the planes of the caps.
@@ -115,7 +125,7 @@ impl Cone {
         }
         let discriminant = b * b - a * c;
         if discriminant <= 0.0 || discriminant.is_nan() {
-            return if c > 0.0 { NOWHERE } else { caps };
+            return if a > 0.0 { NOWHERE } else { caps };
         }
         let q = -(b + discriminant.sqrt().copysign(b));
         let (s, t) = (q / a, if q == 0.0 { 0.0 } else { c / q });
@@ -131,11 +141,15 @@ impl Cone {
     #[inline]
     pub(crate) fn few(&self, ray: &Ray, range: (f64, f64), out: &mut Few) {
         let range = beyond(range, LEAST);
-        self.crossings(ray, |t, part| out.push(t, part, range));
+        if !self.is_convex() {
+            return self.crossings(ray, |t, part| out.push(t, part, range));
+        }
+        if let Some(ends) = self.ends(ray) {
+            ends.into_iter().for_each(|(t, part)| out.push(t, part, range));
+        }
     }
 
-    /// Calls `found` with all hits of the line and their parts.
-    #[inline]
+    /// Calls `found` with all hits of the line and their parts, for all kinds.
     fn crossings(&self, ray: &Ray, mut found: impl FnMut(f64, u32)) {
         if self.widest() == 0.0 {
             return;
@@ -223,6 +237,12 @@ impl Surface for Cone {
 
     #[inline]
     fn closest(&self, ray: &Ray, range: (f64, f64)) -> Option<LocalHit> {
+        if self.is_convex() {
+            let (lo, hi) = beyond(range, LEAST);
+            let [enter, leave] = self.ends(ray)?;
+            let (t, part) = if enter.0 > lo { enter } else { leave };
+            return (t > lo && t < hi).then(|| LocalHit { part, ..LocalHit::at(t) });
+        }
         let mut few = Few::default();
         self.few(ray, range, &mut few);
         few.pop_nearest()

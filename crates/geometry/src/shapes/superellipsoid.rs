@@ -28,24 +28,37 @@ pub(crate) struct Superellipsoid {
     m: Exponent,
 }
 
-/// An exponent; small whole ones need no logarithms.
+/// An exponent; small whole ones need no logarithms, and roots of powers of two are square roots.
 #[derive(Clone, Copy, Debug)]
 struct Exponent {
     value: f64,
     whole: Option<i32>,
+    /// Of two, if it is a power of it.
+    doublings: Option<u32>,
 }
 
 impl Exponent {
     fn new(value: f64) -> Self {
         let whole = (value == value.trunc() && (1.0..=64.0).contains(&value)).then_some(value as i32);
-        Exponent { value, whole }
+        let doublings = whole.and_then(|n| n.count_ones().eq(&1).then(|| n.trailing_zeros()));
+        Exponent { value, whole, doublings }
     }
 
     #[inline]
     fn of(self, v: f64) -> f64 {
-        match self.whole {
-            Some(n) => v.powi(n),
-            None => v.powf(self.value),
+        match (self.doublings, self.whole) {
+            (Some(doublings), _) => (0..doublings).fold(v, |v, _| v * v),
+            (_, Some(n)) => v.powi(n),
+            _ => v.powf(self.value),
+        }
+    }
+
+    /// The root of a number that is not negative.
+    #[inline]
+    fn root(self, v: f64) -> f64 {
+        match self.doublings {
+            Some(doublings) => (0..doublings).fold(v, |v, _| v.sqrt()),
+            None => v.powf(1.0 / self.value),
         }
     }
 }
@@ -63,7 +76,7 @@ fn g(a: f64, b: f64, k: Exponent) -> (f64, f64, f64) {
     let ratio = low / high;
     let power = if low == 0.0 { 0.0 } else { k.of(ratio) };
     let grown = 1.0 + power;
-    let value = if grown > 1.0 && k.value.is_finite() { high * grown.powf(1.0 / k.value) } else { high };
+    let value = if grown > 1.0 && k.value.is_finite() { high * k.root(grown) } else { high };
     // With s = 1 + power: d value / d high = s^(1/k - 1), d value / d low = the same times ratio^(k - 1).
     let d_high = value / high / grown;
     let d_low = if ratio > 0.0 { d_high * power / ratio } else { 0.0 };

@@ -3,6 +3,7 @@
 use raggio_math::Ray;
 
 use super::{CLOSE, End, Solid};
+use crate::body::Ready;
 
 /// What the limits tell.
 pub(super) enum First {
@@ -112,8 +113,9 @@ impl Solid {
             rival_leave: f64::INFINITY,
             cut: false,
         };
+        let mut ready = Ready::new();
         for (i, part) in (0u32..).zip(&self.parts) {
-            let stretch = part.body.stretch(ray);
+            let stretch = part.body.stretch(ray, &mut ready);
             let (enter, leave) = (end(stretch.enter, i), end(stretch.leave, i));
             if part.holds == stretch.beyond {
                 if !way.without(enter, leave, range) {
