@@ -52,10 +52,29 @@ impl Tracer<'_> {
         if source.shadowless && source.projected_through.is_none() {
             return light;
         }
-        let Some(grid) = source.area.as_ref().filter(|_| self.quality.area_lights()) else {
-            let standing = source.before(path, &self.world.geometry);
-            return self.walk_to_light(source, p, path, light, interiors, collects, standing);
-        };
+        match &source.area {
+            Some(grid) if self.quality.area_lights() => {
+                self.after_soft_shadows(source, grid, p, path, light, interiors, collects)
+            }
+            _ => {
+                let standing = source.before(path, &self.world.geometry);
+                self.walk_to_light(source, p, path, light, interiors, collects, standing)
+            }
+        }
+    }
+
+    /// The mean of what is left of the light of all points of an area light.
+    #[inline(never)]
+    fn after_soft_shadows(
+        &mut self,
+        source: &LightSource,
+        grid: &AreaGrid,
+        p: Vec3,
+        path: &Path,
+        light: Rgb,
+        interiors: &Interiors,
+        collects: bool,
+    ) -> Rgb {
         let standing = self.before_area(source, grid, p, path);
         let clear = self.is_clear(source);
         let random = self.streams.lights;
@@ -135,6 +154,7 @@ impl Tracer<'_> {
 
     /// What is left of light after the surfaces on its way and what lies between them: media where it is `hazy`, and
     /// those of empty space where it is `misty`.
+    #[inline(never)]
     fn through(
         &mut self,
         source: &LightSource,
