@@ -31,7 +31,9 @@ pub type Interiors = SmallVec<[InteriorId; 8]>;
 #[inline]
 pub(crate) fn copied(list: &Interiors) -> Interiors {
     let mut copy = Interiors::new();
-    list.iter().for_each(|&id| copy.push(id));
+    if !list.is_empty() {
+        list.iter().for_each(|&id| copy.push(id));
+    }
     copy
 }
 
