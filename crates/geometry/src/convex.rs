@@ -2,8 +2,9 @@
 //! inside at all. Clips are as good as members.
 use raggio_math::{Aabb, Affine, EPS, Ray, Vec3, transform};
 
-use crate::leaf::{Leaves, Prim};
-use crate::shapes::{Plane, ShapeKind, Sphere};
+use crate::body::Body;
+use crate::leaf::Leaves;
+use crate::shapes::Plane;
 use crate::tree::{Node, NodeRef};
 
 /// Room for rounding at both ends of a span, as a share of the distance and by itself.
@@ -15,13 +16,11 @@ const FAR: f64 = 1e7;
 /// So many planes are looked at for corners.
 const MOST_PLANES: usize = 8;
 
-/// Planes, spheres and other bodies that a point must be inside of.
+/// Planes, and other bodies, that a point must be inside of.
 #[derive(Default)]
 pub(crate) struct Convex {
     planes: Vec<Plane>,
-    spheres: Vec<Sphere>,
-    /// Leaves of other bodies that a ray is inside of on one stretch, mostly.
-    bodies: Vec<u32>,
+    bodies: Vec<Body>,
 }
 
 impl Convex {
@@ -30,44 +29,40 @@ impl Convex {
         let mut convex = Convex::default();
         for node in members {
             let Node::Leaf(index) = node.node() else { continue };
-            let leaf = &leaves.leaves[index as usize];
-            match leaf.prim {
-                Prim::Plane(plane) if !leaf.inverted => convex.planes.push(plane),
-                Prim::Sphere { sphere, .. } if !leaf.inverted => convex.spheres.push(sphere),
-                _ if !leaf.inverted && leaves.shape(index).is_some_and(ShapeKind::has_stretch) => {
-                    convex.bodies.push(index);
-                }
-                _ => {}
+            match Body::of(index, leaves) {
+                _ if leaves.leaves[index as usize].inverted => {}
+                Some(Body::Half(plane)) => convex.planes.push(plane),
+                // The boxes of members say the same.
+                Some(Body::Box(_) | Body::PlacedBox(..)) | None => {}
+                Some(body) => convex.bodies.push(body),
             }
         }
-        let Convex { planes, spheres, bodies } = &convex;
-        (!(planes.is_empty() && spheres.is_empty() && bodies.is_empty())).then_some(convex)
+        (!(convex.planes.is_empty() && convex.bodies.is_empty())).then_some(convex)
     }
 
     /// The part of a range in which the ray can be inside all of them, and a little more; `None` where it nowhere is.
     #[inline]
-    pub(crate) fn span(&self, leaves: &Leaves, ray: &Ray, range: (f64, f64)) -> Option<(f64, f64)> {
+    pub(crate) fn span(&self, ray: &Ray, range: (f64, f64)) -> Option<(f64, f64)> {
+        let least = |a: f64, b: f64| if a < b { a } else { b };
+        let most = |a: f64, b: f64| if a > b { a } else { b };
         let (mut enter, mut leave) = range;
         for plane in &self.planes {
             let (slope, depth) = plane.approach(ray);
             if slope > EPS {
-                leave = leave.min(depth / slope);
+                leave = least(depth / slope, leave);
             } else if slope < -EPS {
-                enter = enter.max(depth / slope);
+                enter = most(depth / slope, enter);
             }
         }
-        for sphere in &self.spheres {
-            let (a, b) = sphere.chord(ray)?;
-            (enter, leave) = (enter.max(a), leave.min(b));
-        }
-        for &body in &self.bodies {
-            if let Some(stretch) = leaves.stretch(body, ray).filter(|stretch| !stretch.beyond) {
-                (enter, leave) = (enter.max(stretch.enter), leave.min(stretch.leave));
+        for body in &self.bodies {
+            let stretch = body.stretch(ray);
+            if !stretch.beyond {
+                (enter, leave) = (most(stretch.enter, enter), least(stretch.leave, leave));
             }
         }
         let margin = |t: f64| MARGIN * (1.0 + t.abs());
         let (from, to) = (enter - margin(enter), leave + margin(leave));
-        (from <= to).then_some((from.max(range.0), to.min(range.1)))
+        (from <= to).then_some((most(from, range.0), least(to, range.1)))
     }
 
     /// Its planes in other coordinates.
@@ -133,6 +128,7 @@ fn corners(sides: &[(Vec3, f64)]) -> Vec<Vec3> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::shapes::Sphere;
 
     fn convex(sides: &[(f64, f64, f64, f64)]) -> Convex {
         let plane = |&(x, y, z, d): &(f64, f64, f64, f64)| Plane::new(Vec3::new(x, y, z).normalize(), d);
@@ -159,13 +155,12 @@ mod tests {
     #[test]
     fn spans_end_where_planes_and_spheres_do() {
         let mut both = convex(&[(0.0, 1.0, 0.0, 0.5)]);
-        let leaves = Leaves::default();
-        both.spheres.push(Sphere::new(Vec3::ZERO, 1.0));
+        both.bodies.push(Body::Ball(Sphere::new(Vec3::ZERO, 1.0)));
         let up = Ray::new(Vec3::new(0.0, -3.0, 0.0), Vec3::Y);
-        let (from, to) = both.span(&leaves, &up, (0.0, 10.0)).unwrap();
+        let (from, to) = both.span(&up, (0.0, 10.0)).unwrap();
         assert!((from - 2.0).abs() < 1e-5 && (to - 3.5).abs() < 1e-5);
-        assert!(both.span(&leaves, &Ray::new(Vec3::new(2.0, -3.0, 0.0), Vec3::Y), (0.0, 10.0)).is_none());
-        assert!(both.span(&leaves, &Ray::new(Vec3::new(0.0, 3.0, 0.0), Vec3::Y), (0.0, 10.0)).is_none());
-        assert!(both.span(&leaves, &up, (4.0, 10.0)).is_none());
+        assert!(both.span(&Ray::new(Vec3::new(2.0, -3.0, 0.0), Vec3::Y), (0.0, 10.0)).is_none());
+        assert!(both.span(&Ray::new(Vec3::new(0.0, 3.0, 0.0), Vec3::Y), (0.0, 10.0)).is_none());
+        assert!(both.span(&up, (4.0, 10.0)).is_none());
     }
 }

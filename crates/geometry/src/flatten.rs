@@ -254,6 +254,7 @@ impl Walk {
     ) -> Result<Built, BuildError> {
         let own_clips: &[Arc<Object>] = if is_patch(object) { &[] } else { &object.clips };
         let (clips, clip_box) = self.fences(own_clips, outer)?;
+        let clip_box = self.held_by(&clips, clip_box);
         let (bounds, bound_box) = match self.keeps_bounds(object, outer) {
             true => self.fences(&object.bounds, outer)?,
             false => (Vec::new(), Aabb::INFINITE),
@@ -278,6 +279,18 @@ impl Walk {
                 reach: boxes.reach.intersection(&clip_box),
             },
         ))
+    }
+
+    /// The part of a box that clips let count, where those without bounds of their own bound each other.
+    fn held_by(&self, clips: &[NodeRef], within: Aabb) -> Aabb {
+        let convex = Convex::of(clips.iter().copied(), &self.leaves);
+        let behind_planes = convex.as_ref().map_or(within, |convex| convex.bounds_within(&within));
+        clips.iter().filter(|_| !within.is_finite()).fold(behind_planes, |held, &clip| {
+            match self.leaves.bounds_within(clip, &held, convex.as_ref()) {
+                Some((part, turned)) if !turned => held.intersection(&part),
+                _ => held,
+            }
+        })
     }
 
     /// Cuts the boxes of unbounded members to what the group lets count of them.

@@ -3,7 +3,7 @@ use raggio_math::{Aabb, Affine, Ray, Vec2, Vec3, transform};
 
 use crate::convex::Convex;
 use crate::index::transformed;
-use crate::shapes::{Cuboid, Few, Plane, ShapeKind, Sphere, Stretch};
+use crate::shapes::{Cuboid, Few, Plane, ShapeKind, Sphere};
 use crate::tree::{Node, NodeRef};
 use crate::{Hit, LocalHit, MaterialId, Surface};
 
@@ -155,48 +155,28 @@ impl Leaves {
         Some(1.0)
     }
 
-    /// Where the ray is inside the shape of a leaf that [`Leaves::has_stretch`], its inversion not counted; `None` where
-    /// rounding leaves it open.
-    #[inline]
-    pub(crate) fn stretch(&self, index: u32, ray: &Ray) -> Option<Stretch> {
-        Some(match &self.leaves[index as usize].prim {
-            Prim::Sphere { sphere, .. } => Stretch::between(sphere.chord(ray)),
-            Prim::Plane(plane) => plane.stretch(ray),
-            Prim::Box(cuboid) => cuboid.stretch(ray),
-            Prim::PlacedBox { cuboid, place } => {
-                cuboid.stretch(&ray.transformed(&self.places[*place as usize]))
-            }
-            Prim::World(s) => self.shapes[*s as usize].stretch(ray)?,
-            Prim::Placed { shape, place } => {
-                let local = LocalRay::new(ray, &self.places[*place as usize]);
-                let found = self.shapes[*shape as usize].stretch(&local.ray)?;
-                let (enter, leave) = (found.enter / local.stretch, found.leave / local.stretch);
-                Stretch { enter, leave, ..found }
-            }
-        })
-    }
-
-    /// Is a ray always inside the leaf's shape on one stretch, or beyond one?
-    pub(crate) fn has_stretch(&self, leaf: u32) -> bool {
-        self.shape(leaf).is_none_or(ShapeKind::has_stretch)
-    }
-
-    /// The nearest hit of one leaf that `counts` says yes to. Only for shapes with few hits: `None` for others.
+    /// The nearest hit of one leaf that `counts` says yes to; of hits nearer to each other than `gap` only the first is
+    /// asked about. Only for shapes with few hits: `None` for others.
     #[inline]
     pub(crate) fn closest_of_few(
         &self,
         index: u32,
         ray: &Ray,
-        range: (f64, f64),
-        counts: impl Fn(f64) -> bool,
+        (mut from, to): (f64, f64),
+        gap: f64,
+        mut counts: impl FnMut(&Hit) -> bool,
     ) -> Option<Option<Hit>> {
         let leaf = &self.leaves[index as usize];
         let mut few = Few::default();
-        let stretch = self.few(leaf, ray, range, &mut few)?;
+        let stretch = self.few(leaf, ray, (from, to), &mut few)?;
         while let Some(local) = few.pop_nearest() {
             let t = local.t / stretch;
-            if t > range.0 && t < range.1 && counts(t) {
-                return Some(Some(Hit { t, leaf: index, inverted: leaf.inverted, local }));
+            if t > from && t < to {
+                let hit = Hit { t, leaf: index, inverted: leaf.inverted, local };
+                if counts(&hit) {
+                    return Some(Some(hit));
+                }
+                from = t + gap;
             }
         }
         Some(None)

@@ -3,6 +3,7 @@
 //! Invariants: [`Geometry::build`] may fail, nothing after it can. A [`Hit`] is a few words; the [`Interaction`] is made
 //! once, for the winner. Deliberately absent: colours, lights' effects, cameras.
 
+mod body;
 mod convex;
 mod extent;
 mod flatten;

@@ -129,17 +129,16 @@ impl Geometry {
         gap: f64,
         obstacles: &mut impl Obstacles,
     ) -> bool {
-        let stops = obstacles.stops(leaf);
-        let Some(hit) = self.tree.leaves.closest(leaf, ray, range, &|_| stops) else { return false };
-        stops
-            || obstacles.meets(&hit)
-            || self.stops_farther(leaf, ray, (hit.t + gap, range.1), gap, obstacles)
+        if obstacles.stops(leaf) {
+            return self.tree.leaves.closest(leaf, ray, range, &|_| true).is_some();
+        }
+        self.stops_in_places(leaf, ray, range, gap, obstacles)
     }
 
-    /// Is a ray stopped by another surface of a leaf that has let it through once? Not inlined: from a loop the compiler
+    /// Is a ray stopped by one of the surfaces of a leaf that may let it through? Not inlined: from a loop the compiler
     /// would take out what any shape may ask of the ray, and work it out for every leaf.
     #[inline(never)]
-    fn stops_farther(
+    fn stops_in_places(
         &self,
         leaf: u32,
         ray: &Ray,
@@ -147,8 +146,12 @@ impl Geometry {
         gap: f64,
         obstacles: &mut impl Obstacles,
     ) -> bool {
+        let leaves = &self.tree.leaves;
+        if let Some(found) = leaves.closest_of_few(leaf, ray, range, gap, |hit| obstacles.meets(hit)) {
+            return found.is_some();
+        }
         while range.0 < range.1 {
-            let Some(hit) = self.tree.leaves.closest(leaf, ray, range, &|_| false) else { return false };
+            let Some(hit) = leaves.closest(leaf, ray, range, &|_| false) else { return false };
             if obstacles.meets(&hit) {
                 return true;
             }

@@ -7,10 +7,12 @@
 use raggio_math::Ray;
 use smallvec::SmallVec;
 
+use crate::body::Body;
 use crate::leaf::Leaves;
 use crate::shapes::Stretch;
 use crate::tree::{Group, Node, NodeRef, Op, Tree};
 use crate::{Hit, LocalHit};
+use limits::First;
 
 /// So many leaves, and groups, a combination may have.
 const MOST_PARTS: usize = 64;
@@ -25,17 +27,22 @@ const AROUND: f64 = 1e-9;
 pub(crate) struct Solid {
     parts: Vec<Part>,
     levels: Vec<Level>,
+    /// Does every part hold or bar all others?
+    limited: bool,
     /// How many members of each level contain a ray that is in none of the bodies.
     outside: [u8; MOST_LEVELS],
 }
 
 /// A leaf in its group.
 struct Part {
+    body: Body,
     leaf: u32,
     level: u8,
     /// Its place in its group.
     member: u32,
     inverted: bool,
+    /// See [`Body::has_parts`].
+    has_parts: bool,
     /// Only cuts: a clip.
     silent: bool,
     /// Nothing counts outside it.
@@ -109,10 +116,17 @@ impl Counted<'_> {
         Hit { t: self.t, leaf, inverted, local: LocalHit::default() }
     }
 
-    /// The hit, looked for again in its leaf; `None` where rounding hides it.
+    /// The hit, looked for again in its leaf if that has words of its own; `None` where rounding hides it.
+    #[inline]
     pub(crate) fn hit(&self, tree: &Tree, ray: &Ray) -> Option<Hit> {
+        if !self.part.has_parts {
+            return Some(self.bare());
+        }
         let around = AROUND * (1.0 + self.t);
-        tree.leaves.closest(self.part.leaf, ray, (self.t - around, self.t + around), &|_| false)
+        let range = (self.t - around, self.t + around);
+        let hit = tree.leaves.closest(self.part.leaf, ray, range, &|_| false)?;
+        // Who goes on from there must not find the same end again.
+        Some(Hit { t: self.t, ..hit })
     }
 }
 
@@ -122,9 +136,11 @@ impl Solid {
         if group.op == Op::Union && group.clips.is_empty() {
             return None;
         }
-        let mut solid = Solid { parts: Vec::new(), levels: Vec::new(), outside: [0; MOST_LEVELS] };
+        let mut solid =
+            Solid { parts: Vec::new(), levels: Vec::new(), limited: false, outside: [0; MOST_LEVELS] };
         solid.add_group(group, at, None, (0, false), leaves, groups)?;
         solid.mark_limits();
+        solid.limited = solid.parts.iter().all(|part| part.holds || part.bars);
         // What limits the rest comes first.
         solid.parts.sort_by_key(|part| !part.holds);
         let mut walk = Walk { solid: &solid, counts: solid.outside, contains: 0 };
@@ -187,10 +203,22 @@ impl Solid {
                 self.add_group(&groups[at as usize], at, Some(level), (member, silent), leaves, groups)
             }
             Node::Leaf(leaf) => {
-                let room = self.parts.len() < MOST_PARTS && leaves.has_stretch(leaf);
+                let room = self.parts.len() < MOST_PARTS;
                 let crate::leaf::Leaf { inverted, rank, .. } = leaves.leaves[leaf as usize];
-                let part = Part { leaf, level, member, inverted, silent, holds: false, bars: false, rank };
-                self.parts.push(part);
+                let body = Body::of(leaf, leaves)?;
+                let (has_parts, holds, bars) = (body.has_parts(), false, false);
+                self.parts.push(Part {
+                    body,
+                    leaf,
+                    level,
+                    member,
+                    inverted,
+                    has_parts,
+                    silent,
+                    holds,
+                    bars,
+                    rank,
+                });
                 room.then_some(())
             }
         }
@@ -225,12 +253,45 @@ impl Solid {
         &self,
         tree: &Tree,
         ray: &Ray,
+        mut range: (f64, f64),
+        mut found: impl FnMut(Counted<'_>) -> Option<bool>,
+    ) -> Option<()> {
+        if self.limited {
+            let mut goes_on = |end: End| {
+                let part = &self.parts[end.part as usize];
+                if part.silent { Some(true) } else { found(Counted { part, t: end.t }) }
+            };
+            match self.first(ray, range) {
+                First::Nothing => return Some(()),
+                First::Unclear => {}
+                First::Found { end, last } => {
+                    if !goes_on(end)? {
+                        return Some(());
+                    }
+                    if let Some(last) = last {
+                        if end.t < last.t && last.t < range.1 {
+                            goes_on(last)?;
+                        }
+                        return Some(());
+                    }
+                    range.0 = end.t;
+                }
+            }
+        }
+        self.walk(tree, ray, range, found)
+    }
+
+    /// [`Solid::sweep`] for all combinations, from end to end.
+    fn walk(
+        &self,
+        tree: &Tree,
+        ray: &Ray,
         range: (f64, f64),
         mut found: impl FnMut(Counted<'_>) -> Option<bool>,
     ) -> Option<()> {
         let mut walk = Walk { solid: self, counts: self.outside, contains: 0 };
         let mut ends: SmallVec<[End; 24]> = SmallVec::new();
-        if !walk.start(tree, ray, range, &mut ends)? {
+        if !walk.start(ray, range, &mut ends) {
             return Some(());
         }
         ends.sort_unstable_by(|a, b| a.t.total_cmp(&b.t));
@@ -283,26 +344,20 @@ impl Walk<'_> {
     /// Finds the ends of stretches within the range, as far as they can matter, and what contains the ray before the
     /// first of them. False where nothing can count.
     #[inline]
-    fn start(
-        &mut self,
-        tree: &Tree,
-        ray: &Ray,
-        range: (f64, f64),
-        ends: &mut SmallVec<[End; 24]>,
-    ) -> Option<bool> {
+    fn start(&mut self, ray: &Ray, range: (f64, f64), ends: &mut SmallVec<[End; 24]>) -> bool {
         let (mut from, mut to) = range;
         for (i, part) in self.solid.parts.iter().enumerate() {
-            let Stretch { enter, leave, beyond } = tree.leaves.stretch(part.leaf, ray)?;
+            let Stretch { enter, leave, beyond } = part.body.stretch(ray);
             if part.holds && !beyond {
                 if leave <= from || enter >= to {
-                    return Some(false);
+                    return false;
                 }
                 let (first, last) =
                     (enter - CLOSE * (1.0 + enter.abs()), leave + CLOSE * (1.0 + leave.abs()));
                 (from, to) = (from.max(first), to.min(last));
             }
             if part.bars && !beyond && enter < from && leave > to {
-                return Some(false);
+                return false;
             }
             if (enter <= from && from < leave) != beyond {
                 self.turn(i);
@@ -313,7 +368,7 @@ impl Walk<'_> {
                 }
             }
         }
-        Some(!ends.is_empty())
+        !ends.is_empty()
     }
 
     /// The ray enters or leaves the body of a part.
@@ -361,5 +416,6 @@ impl Walk<'_> {
     }
 }
 
+mod limits;
 #[cfg(test)]
 mod tests;

@@ -128,10 +128,10 @@ const NOBODY: u32 = u32::MAX;
 impl Group {
     /// The part of a range in which a ray may hit it, as far as its convex part tells.
     #[inline(always)]
-    fn span(&self, leaves: &Leaves, ray: &Ray, range: (f64, f64)) -> Option<(f64, f64)> {
+    fn span(&self, ray: &Ray, range: (f64, f64)) -> Option<(f64, f64)> {
         match &self.convex {
             None => Some(range),
-            Some(convex) => convex.span(leaves, ray, range),
+            Some(convex) => convex.span(ray, range),
         }
     }
 
@@ -175,7 +175,7 @@ impl Tree {
         {
             return found;
         }
-        let range = group.span(&self.leaves, &probe.ray, range)?;
+        let range = group.span(&probe.ray, range)?;
         if !self.within_bounds(group, probe, scratch) {
             return None;
         }
@@ -257,7 +257,7 @@ impl Tree {
         let counts = |t: f64| self.counts(group, member, probe.ray.at(t));
         if let Node::Leaf(leaf) = node.node() {
             let ray = &probe.ray;
-            let found = self.leaves.closest_of_few(leaf, ray, range, counts);
+            let found = self.leaves.closest_of_few(leaf, ray, range, 0.0, |hit| counts(hit.t));
             if let Some(found) = found.or_else(|| self.leaves.closest_counted(leaf, ray, range, counts)) {
                 return found;
             }
@@ -293,7 +293,7 @@ impl Tree {
             }
             hits.truncate(start);
         }
-        let Some(range) = group.span(&self.leaves, &probe.ray, range) else { return };
+        let Some(range) = group.span(&probe.ray, range) else { return };
         if !self.within_bounds(group, probe, scratch) {
             return;
         }

@@ -182,3 +182,22 @@ fn a_difference_of_ten_thousand_holes_is_one_solid() {
     }
     assert!(!geometry.inside(Vec3::new(0.5, 0.5, 0.5)) && geometry.inside(Vec3::new(0.5, 0.5, 0.9)));
 }
+
+/// A quartic without bounds, held by a pipe between two planes, turned and moved as a whole.
+#[test]
+fn turned_clips_still_have_a_box() {
+    let coefficients = (0..35).map(|i| if i == 16 || i == 33 { 1.0 } else { 0.0 }).collect::<Vec<_>>();
+    let pipe = Shape::Quadric([1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0]);
+    let mut quartic = solid(Shape::Poly { degree: 4, coefficients: coefficients.into() });
+    let clips = vec![
+        pipe,
+        Shape::Plane { normal: Vec3::Z, distance: 1.5 },
+        Shape::Plane { normal: -Vec3::Z, distance: 0.0 },
+    ];
+    quartic.clips = clips.into_iter().map(|shape| Arc::new(solid(shape))).collect();
+    for turn in [Vec3::Z * 160.0, -Vec3::X * 90.0, Vec3::new(-30.0, 0.0, 30.0)] {
+        quartic.transform(&rotate(turn));
+    }
+    let bounds = Geometry::of_object(&Arc::new(quartic)).unwrap().bounds();
+    assert!(bounds.is_finite() && bounds.size().max_element() < 4.0, "{bounds:?}");
+}

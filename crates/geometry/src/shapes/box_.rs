@@ -93,7 +93,7 @@ impl Cuboid {
     }
 
     /// The ray's way through the box.
-    #[inline]
+    #[inline(always)]
     fn way(&self, ray: &Ray) -> Option<Way> {
         let (mut near, mut far) = ([f64::NEG_INFINITY; 3], [f64::INFINITY; 3]);
         for axis in 0..3 {
@@ -112,8 +112,8 @@ impl Cuboid {
         (entry <= exit).then_some(Way { near, far, entry, exit })
     }
 
-    /// Where the ray is inside.
-    #[inline]
+    /// Where the ray, whose direction may be of any length, is inside.
+    #[inline(always)]
     pub(crate) fn stretch(&self, ray: &Ray) -> Stretch {
         Stretch::between(self.way(ray).map(|way| (way.entry, way.exit)))
     }

@@ -67,7 +67,7 @@ impl Cone {
     }
 
     /// Height over the base, and the offset from the axis.
-    #[inline]
+    #[inline(always)]
     fn split(&self, v: Vec3) -> (f64, Vec3) {
         let h = v.dot(self.axis);
         (h, v - self.axis * h)
@@ -78,21 +78,53 @@ impl Cone {
         !self.open && self.base_radius >= 0.0 && self.cap_radius >= 0.0 && self.length > 0.0
     }
 
-    /// Where the ray is inside a convex one; `None` where rounding has added or lost an end.
-    #[inline]
-    pub(crate) fn stretch(&self, ray: &Ray) -> Option<Stretch> {
-        let (mut ends, mut count) = ([0.0; 2], 0);
-        self.crossings(ray, |t, _| {
-            if count < 2 {
-                ends[count] = t;
-            }
-            count += 1;
-        });
-        match count {
-            0 => Some(Stretch::NOWHERE),
-            2 => Some(Stretch::between(Some((ends[0].min(ends[1]), ends[0].max(ends[1]))))),
-            _ => None,
+    /// Where the ray, whose direction may be of any length, is inside a convex one: between the planes of the caps, and
+    /// within the side.
+    #[inline(always)]
+    pub(crate) fn stretch(&self, ray: &Ray) -> Stretch {
+        let to_middle = self.base + self.axis * (0.5 * self.length) - ray.origin;
+        let shift = to_middle.dot(ray.dir) / ray.dir.length_squared();
+        let (oh, offset) = self.split(ray.at(shift) - self.base);
+        let (dh, across) = self.split(ray.dir);
+        let caps = match dh != 0.0 {
+            true if dh > 0.0 => (-oh / dh, (self.length - oh) / dh),
+            true => ((self.length - oh) / dh, -oh / dh),
+            false if oh >= 0.0 && oh <= self.length => (f64::NEG_INFINITY, f64::INFINITY),
+            false => return Stretch::NOWHERE,
+        };
+        let (enter, leave) = self.held_by_side(caps, self.side_along(oh, offset, dh, across), dh);
+        match enter < leave {
+            true => Stretch { enter: enter + shift, leave: leave + shift, beyond: false },
+            false => Stretch::NOWHERE,
         }
+    }
+
+    /// What the side leaves of the way between the planes of the caps.
+    #[inline(always)]
+    fn held_by_side(&self, caps: (f64, f64), (a, b, c): (f64, f64, f64), dh: f64) -> (f64, f64) {
+        const NOWHERE: (f64, f64) = (f64::INFINITY, f64::NEG_INFINITY);
+        let after = |t: f64| (if t > caps.0 { t } else { caps.0 }, caps.1);
+        let before = |t: f64| (caps.0, if t < caps.1 { t } else { caps.1 });
+        if a.abs() < EPS * EPS {
+            return match b {
+                0.0 if c > 0.0 => NOWHERE,
+                0.0 => caps,
+                _ if b > 0.0 => before(-0.5 * c / b),
+                _ => after(-0.5 * c / b),
+            };
+        }
+        let discriminant = b * b - a * c;
+        if discriminant <= 0.0 || discriminant.is_nan() {
+            return if c > 0.0 { NOWHERE } else { caps };
+        }
+        let q = -(b + discriminant.sqrt().copysign(b));
+        let (s, t) = (q / a, if q == 0.0 { 0.0 } else { c / q });
+        let (first, last) = if s < t { (s, t) } else { (t, s) };
+        if a > 0.0 {
+            return (after(first).0, before(last).1);
+        }
+        // Steeper than the side: inside beyond one end, and beyond the other inside the cone's mirror image.
+        if self.slope * dh > 0.0 { after(last) } else { before(first) }
     }
 
     /// All hits within the range; at most a double cone's four.
@@ -126,13 +158,22 @@ impl Cone {
         }
     }
 
+    /// `a`, `b`, `c` of how much the square of the distance from the axis is greater than that of the radius:
+    /// `a t^2 + 2 b t + c`.
+    #[inline(always)]
+    fn side_along(&self, oh: f64, offset: Vec3, dh: f64, across: Vec3) -> (f64, f64, f64) {
+        let (r, grow) = (self.base_radius + self.slope * oh, self.slope * dh);
+        (
+            across.length_squared() - grow * grow,
+            offset.dot(across) - r * grow,
+            offset.length_squared() - r * r,
+        )
+    }
+
     /// Hits of the side: where the distance from the axis is the radius at that height.
     #[inline]
     fn side(&self, oh: f64, offset: Vec3, dh: f64, across: Vec3, out: &mut impl FnMut(f64, u32)) {
-        let (r, grow) = (self.base_radius + self.slope * oh, self.slope * dh);
-        let a = across.length_squared() - grow * grow;
-        let b = offset.dot(across) - r * grow;
-        let c = offset.length_squared() - r * r;
+        let (a, b, c) = self.side_along(oh, offset, dh, across);
         let mut push = |t: f64| {
             let h = oh + t * dh;
             if h >= 0.0 && h <= self.length {

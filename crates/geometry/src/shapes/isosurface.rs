@@ -5,6 +5,7 @@
 mod field;
 mod grid;
 mod search;
+mod walk;
 
 use std::sync::Arc;
 
@@ -14,6 +15,7 @@ use raggio_scene::{Container, IsosurfaceEvaluate};
 
 use self::field::Field;
 use self::search::Search;
+use self::walk::Walk;
 use super::collect::{Collect, Nearest, searched_from};
 use super::container;
 use crate::{LocalHit, Surface};
@@ -101,38 +103,20 @@ impl Isosurface {
 
     /// Follows a ray of the object's coordinates; answers with the gradient as the ray leaves it.
     fn trace(&self, ray: Ray, to: &mut impl Collect) -> f64 {
-        let stretch = ray.dir.length();
-        let mut search =
-            Search { surface: self, ray, stretch, sign: 1.0, gradient: self.max_gradient, proved: true };
         let span = container::span(&self.container, &ray)
             .filter(|s| s.1 > to.range().0 && s.0 < to.range().1 && s.1.is_finite());
         let Some((enter, leave)) = span else { return self.max_gradient };
-        let way = |from: f64, limit: f64| {
-            self.field.as_deref().map(|field| field.walk(&ray, (from, leave.min(limit + self.accuracy))))
-        };
+        let mut search = Search::new(self, ray);
+        let way = (enter.max(0.0), leave.min(to.range().1 + self.accuracy));
+        let mut walk = self.field.as_deref().map(|field| Walk::new(field, &ray, way));
         let mut left = self.max_trace;
-        let mut start = enter.max(0.0);
-        let mut walk = way(start, to.range().1);
-        // A ray that starts on the surface must not meet it again at once.
-        let close = 4.0 * search.gradient * self.accuracy;
-        let is_clear = |value: Range| value.size() < close || value.lo >= close || value.hi <= -close;
-        let mut value = Range::ALL;
-        if start < self.accuracy {
-            value = search.where_value_is(start, walk.as_ref(), is_clear);
-            if value.size() < close {
-                start = 5.0 * self.accuracy;
-                walk = way(start, to.range().1);
-            }
-        }
-        if value.size() < close || value.contains(0.0) {
-            value = search.where_value_is(start, walk.as_ref(), |value| !value.contains(0.0));
-        }
+        let (start, value) = search.start(enter, walk.as_mut());
         if !self.open && enter > self.accuracy && value.hi < 0.0 {
             self.push_wall(&ray, enter, to);
             left = left.saturating_sub(1);
         }
         search.sign = if value.hi < 0.0 { -1.0 } else { 1.0 };
-        let mut at = (start, (value.lo == value.hi).then_some(value.lo.abs()));
+        let mut at = (start, value);
         let mut ended = false;
         while left > 0 && at.0 < leave && at.0 < to.range().1 {
             search.relax();
@@ -147,8 +131,10 @@ impl Isosurface {
             if left == 0 || next >= leave || next >= to.range().1 {
                 break;
             }
-            walk = way(next, to.range().1);
-            at = (next, None);
+            if let Some(walk) = &mut walk {
+                walk.go_to(next);
+            }
+            at = (next, Range::ALL);
         }
         if !self.open && leave < to.range().1 {
             let known = (ended && search.proved && walk.is_some()).then_some(search.sign);

@@ -257,7 +257,7 @@ impl Stretch {
     pub(crate) const EVERYWHERE: Self = Stretch { beyond: true, ..Stretch::NOWHERE };
 
     /// Inside between two distances.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn between(ends: Option<(f64, f64)>) -> Self {
         ends.map_or(Stretch::NOWHERE, |(enter, leave)| Stretch { enter, leave, beyond: false })
     }
@@ -325,28 +325,6 @@ impl ShapeKind {
             _ => return false,
         }
         true
-    }
-
-    /// Where the ray is inside, for shapes that [`ShapeKind::has_stretch`]; `None` where rounding leaves it open.
-    #[inline]
-    pub(crate) fn stretch(&self, ray: &Ray) -> Option<Stretch> {
-        match self {
-            ShapeKind::Box(s) => Some(s.stretch(ray)),
-            ShapeKind::Cone(s) => s.stretch(ray),
-            ShapeKind::Quadric(s) => Some(s.stretch(ray)),
-            ShapeKind::Plane(s) => Some(s.stretch(ray)),
-            ShapeKind::Sphere(s) => Some(Stretch::between(s.chord(ray))),
-            _ => None,
-        }
-    }
-
-    /// Is a ray always inside on one stretch, or beyond one, with hits at its ends?
-    pub(crate) fn has_stretch(&self) -> bool {
-        match self {
-            ShapeKind::Box(_) | ShapeKind::Quadric(_) | ShapeKind::Plane(_) | ShapeKind::Sphere(_) => true,
-            ShapeKind::Cone(cone) => cone.is_convex(),
-            _ => false,
-        }
     }
 
     /// Does [`ShapeKind::few`] know the shape?

@@ -7,6 +7,9 @@ use crate::{LocalHit, Surface};
 /// The least distance a plane reports.
 const LEAST: f64 = 1e-6;
 
+/// A normal this near to an axis lies on it.
+const STRAIGHT: f64 = 1e-15;
+
 /// Points with `normal . p < distance` are inside; `normal` is of unit length.
 #[derive(Clone, Copy)]
 pub(crate) struct Plane {
@@ -31,7 +34,7 @@ impl Plane {
     }
 
     /// Where the ray is inside.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn stretch(&self, ray: &Ray) -> Stretch {
         let (slope, depth) = self.approach(ray);
         if slope.abs() < EPS {
@@ -57,11 +60,14 @@ impl Surface for Plane {
     fn inside_bounds(&self) -> Aabb {
         let mut half = Aabb::INFINITE;
         for k in 0..3 {
-            // The other components are then 0, and the sign of this one says which side is inside.
-            if self.normal[k] == 1.0 {
-                half.max[k] = self.distance;
-            } else if self.normal[k] == -1.0 {
-                half.min[k] = -self.distance;
+            // Turns leave some rounding in the other components, which shows less than the padding of boxes. The sign
+            // of this one says which side is inside.
+            let n = self.normal[k];
+            if (self.normal - n.signum() * Vec3::AXES[k]).abs().max_element() < STRAIGHT {
+                match n > 0.0 {
+                    true => half.max[k] = self.distance,
+                    false => half.min[k] = -self.distance,
+                }
             }
         }
         half

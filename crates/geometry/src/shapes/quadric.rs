@@ -1,5 +1,5 @@
 //! The quadric: the general surface of second degree.
-use raggio_math::{Aabb, Ray, Vec3};
+use raggio_math::{Aabb, Mat3, Ray, Vec3};
 
 use super::{Few, Stretch, beyond};
 use crate::{LocalHit, Surface};
@@ -44,6 +44,25 @@ impl Quadric {
         }
     }
 
+    /// A ball about the origin.
+    pub(crate) fn ball(radius: f64) -> Self {
+        Quadric::new(&[1.0, 1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -radius * radius])
+    }
+
+    /// The same surface in coordinates about the same origin.
+    pub(crate) fn turned_by(&self, here_from_there: &Mat3) -> Self {
+        let (s, m, turn) = (self.squares, 0.5 * self.mixed, here_from_there);
+        let form =
+            Mat3::from_cols(Vec3::new(s.x, m.x, m.y), Vec3::new(m.x, s.y, m.z), Vec3::new(m.y, m.z, s.z));
+        let form = turn.transpose() * form * *turn;
+        Quadric {
+            squares: Vec3::new(form.x_axis.x, form.y_axis.y, form.z_axis.z),
+            mixed: 2.0 * Vec3::new(form.x_axis.y, form.x_axis.z, form.y_axis.z),
+            linear: turn.transpose() * self.linear,
+            ..*self
+        }
+    }
+
     /// Has [`Quadric::inverse`] made it?
     pub(crate) fn is_turned(&self) -> bool {
         self.sign < 0.0
@@ -66,40 +85,39 @@ impl Quadric {
         )
     }
 
-    /// The parameters of both hits, the second repeated where there is but one.
-    #[inline]
-    fn roots(&self, ray: &Ray) -> Option<(f64, f64)> {
+    /// `a`, `b`, `c` of the value along the ray: `a t^2 + 2 b t + c`.
+    #[inline(always)]
+    fn along(&self, ray: &Ray) -> (f64, f64, f64) {
         let a = 0.5 * self.slope(ray.dir).dot(ray.dir);
-        let b = 0.5 * (self.slope(ray.origin) + self.linear).dot(ray.dir);
-        let c = self.value(ray.origin);
+        let slope = self.slope(ray.origin);
+        let b = 0.5 * (slope + self.linear).dot(ray.dir);
+        let c = (0.5 * slope + self.linear).dot(ray.origin) + self.constant;
+        (a, b, c)
+    }
+
+    /// The parameters of both hits, the second repeated where there is but one.
+    #[inline(always)]
+    fn roots(&self, ray: &Ray) -> Option<(f64, f64)> {
+        let (a, b, c) = self.along(ray);
         if a == 0.0 {
             let t = -0.5 * c / b;
             return Some((t, t));
         }
-        let discriminant = b * b - a * c;
-        if discriminant <= 0.0 || discriminant.is_nan() {
-            return None;
-        }
-        let q = -(b + discriminant.sqrt().copysign(b));
-        let (s, t) = (q / a, if q == 0.0 { 0.0 } else { c / q });
-        Some((s.min(t), s.max(t)))
+        two_roots(a, b, c)
     }
 
-    /// Where the ray is inside.
-    #[inline]
+    /// Where the ray, whose direction may be of any length, is inside.
+    #[inline(always)]
     pub(crate) fn stretch(&self, ray: &Ray) -> Stretch {
-        let a = self.slope(ray.dir).dot(ray.dir);
-        // The ray that stays as deep as it is has no end that is a number.
-        let is_place = |t: f64| !t.is_nan() && (a != 0.0 || t.is_finite());
-        let Some((s, t)) = self.roots(ray).filter(|&(s, t)| is_place(s) && is_place(t)) else {
-            return if self.value(ray.origin) <= 0.0 { Stretch::EVERYWHERE } else { Stretch::NOWHERE };
-        };
+        let (a, b, c) = self.along(ray);
         if a == 0.0 {
-            let leaves = (self.slope(ray.origin) + self.linear).dot(ray.dir) > 0.0;
-            let far = f64::INFINITY;
-            return Stretch::between(Some(if leaves { (-far, t) } else { (t, far) }));
+            return straight_stretch(b, c);
         }
-        Stretch { enter: s, leave: t, beyond: a < 0.0 }
+        match two_roots(a, b, c) {
+            Some((enter, leave)) => Stretch { enter, leave, beyond: a < 0.0 },
+            None if c <= 0.0 => Stretch::EVERYWHERE,
+            None => Stretch::NOWHERE,
+        }
     }
 
     /// Both hits, as far as they are in the range.
@@ -163,6 +181,31 @@ impl Quadric {
         } else {
             (f64::NEG_INFINITY, f64::INFINITY)
         }
+    }
+}
+
+/// Where `a t^2 + 2 b t + c` is zero, for an `a` that is not.
+#[inline(always)]
+fn two_roots(a: f64, b: f64, c: f64) -> Option<(f64, f64)> {
+    let discriminant = b * b - a * c;
+    if discriminant <= 0.0 || discriminant.is_nan() {
+        return None;
+    }
+    let q = -(b + discriminant.sqrt().copysign(b));
+    let (s, t) = (q / a, if q == 0.0 { 0.0 } else { c / q });
+    Some(if s < t { (s, t) } else { (t, s) })
+}
+
+/// Where `2 b t + c` is not positive.
+#[cold]
+fn straight_stretch(b: f64, c: f64) -> Stretch {
+    let (t, far) = (-0.5 * c / b, f64::INFINITY);
+    match () {
+        // The ray that stays as deep as it is has no end that is a number.
+        () if !t.is_finite() && c <= 0.0 => Stretch::EVERYWHERE,
+        () if !t.is_finite() => Stretch::NOWHERE,
+        () if b > 0.0 => Stretch::between(Some((-far, t))),
+        () => Stretch::between(Some((t, far))),
     }
 }
 

@@ -1,7 +1,7 @@
 //! The sphere, and its form in the world for uniformly scaled placements.
 use raggio_math::{Aabb, EPS, Ray, Vec2, Vec3};
 
-use super::{Few, beyond, clearly_beyond, start_along, turn};
+use super::{Few, Stretch, beyond, clearly_beyond, start_along, turn};
 use crate::{LocalHit, Surface};
 
 /// The least distance a sphere reports.
@@ -36,7 +36,7 @@ impl Sphere {
     }
 
     /// The parameters of entry and exit, if the chord is long enough to count.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn chord(&self, ray: &Ray) -> Option<(f64, f64)> {
         let to_center = self.center - ray.origin;
         let middle = to_center.dot(ray.dir);
@@ -48,6 +48,12 @@ impl Sphere {
             return Some((middle - half, middle + half));
         }
         None
+    }
+
+    /// Where the ray is inside.
+    #[inline(always)]
+    pub(crate) fn stretch(&self, ray: &Ray) -> Stretch {
+        Stretch::between(self.chord(ray))
     }
 
     /// Are all points beyond a tangent plane, or inside?

@@ -8,13 +8,12 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, LazyLock, Mutex, OnceLock, PoisonError, Weak};
 
 use raggio_function::{Bounds, Function, Range};
-use raggio_math::{Aabb, Ray, Vec3};
-use smallvec::SmallVec;
+use raggio_math::{Aabb, Vec3};
 
 use super::super::container;
 
 /// Boxes are cut in two this many times at most.
-const MOST_CUTS: u8 = 16;
+pub(super) const MOST_CUTS: u8 = 16;
 /// Where slopes seem steeper than so many times the scene's maximal gradient their bounds are too wide to tell anything
 /// soon, and boxes are cut this many times at most.
 const TOO_STEEP: f64 = 1.5;
@@ -24,7 +23,7 @@ const ALIKE: f64 = 1.0;
 /// A slope beyond the scene's by this factor is not due to rounding.
 const CLEARLY: f64 = 1.001;
 /// The axis of a box that is not cut.
-const NONE: u8 = 3;
+pub(super) const NONE: u8 = 3;
 
 /// Where in the container the function is tried out, as shares of its sides.
 const PROBES: [[f64; 3]; 3] = [[0.3, 0.4, 0.6], [0.52, 0.81, 0.37], [0.73, 0.13, 0.86]];
@@ -42,67 +41,14 @@ pub(super) struct Field {
     steepest: AtomicU64,
 }
 
-/// A ray's way through the boxes that are not cut, in their order.
-pub(super) struct Walk<'a> {
-    field: &'a Field,
-    origin: [f64; 3],
-    inverse: [f64; 3],
-    /// Which half of a box comes first, by the axis of the cut.
-    near: [usize; 3],
-    /// The box where the walk stands, and the stretch of the ray in it.
-    pub cell: &'a Cell,
-    pub stretch: (f64, f64),
-    /// Boxes to go on with, the next one last, and where the ray leaves them.
-    waiting: SmallVec<[(&'a Cell, f64); MOST_CUTS as usize]>,
-    /// Is there no box any more?
-    pub over: bool,
-}
-
-impl Walk<'_> {
-    /// Goes on to the next box that is not cut.
-    #[inline]
-    pub(super) fn advance(&mut self) {
-        match self.waiting.pop() {
-            Some((cell, to)) => {
-                (self.cell, self.stretch) = (cell, (self.stretch.1, to));
-                self.descend();
-            }
-            None => self.over = true,
-        }
-    }
-
-    /// Goes down to the first box that is not cut.
-    #[inline]
-    fn descend(&mut self) {
-        let (mut cell, (from, mut to)) = (self.cell, self.stretch);
-        while cell.axis != NONE {
-            let axis = usize::from(cell.axis);
-            let halves = self.field.halves(cell);
-            // Along the plane this is infinite, with the sign that leads to the side where the ray is.
-            let crossing = (cell.plane - self.origin[axis]) * self.inverse[axis];
-            let near = self.near[axis];
-            if crossing <= from {
-                cell = &halves[near ^ 1];
-                continue;
-            }
-            cell = &halves[near];
-            if crossing < to {
-                self.waiting.push((&halves[near ^ 1], to));
-                to = crossing;
-            }
-        }
-        (self.cell, self.stretch) = (cell, (from, to));
-    }
-}
-
 /// A box of the tree.
 #[derive(Debug)]
 #[repr(C)]
 pub(super) struct Cell {
     /// Where the box is cut.
-    plane: f64,
+    pub plane: f64,
     /// Across which axis, if it is cut.
-    axis: u8,
+    pub axis: u8,
     /// How often the whole was cut to get here.
     depth: u8,
     halves: OnceLock<Box<[Cell; 2]>>,
@@ -153,10 +99,10 @@ impl Model {
 }
 
 impl Cell {
-    /// Is `sign` times the function nowhere below zero?
+    /// What `sign` times the function is nowhere below.
     #[inline]
-    pub(super) fn is_empty(&self, sign: f64) -> bool {
-        if sign > 0.0 { self.value.lo > 0.0 } else { self.value.hi < 0.0 }
+    pub(super) fn least(&self, sign: f64) -> f64 {
+        if sign > 0.0 { self.value.lo } else { -self.value.hi }
     }
 
     #[inline]
@@ -246,28 +192,15 @@ impl Field {
         }
     }
 
-    /// The way of a ray between two parameters.
+    /// The box of the whole.
     #[inline]
-    pub(super) fn walk<'a>(&'a self, ray: &Ray, (from, to): (f64, f64)) -> Walk<'a> {
-        let root = self.root.get_or_init(|| self.cell(self.bounds, None));
-        let near = |along: f64| usize::from(along.is_sign_negative());
-        let mut walk = Walk {
-            field: self,
-            origin: ray.origin.into(),
-            inverse: ray.dir.recip().into(),
-            near: [near(ray.dir.x), near(ray.dir.y), near(ray.dir.z)],
-            cell: root,
-            stretch: (from, to),
-            waiting: SmallVec::new(),
-            over: false,
-        };
-        walk.descend();
-        walk
+    pub(super) fn root(&self) -> &Cell {
+        self.root.get_or_init(|| self.cell(self.bounds, None))
     }
 
     /// The halves of a box that is to be cut.
     #[inline]
-    fn halves<'a>(&self, cell: &'a Cell) -> &'a [Cell; 2] {
+    pub(super) fn halves<'a>(&self, cell: &'a Cell) -> &'a [Cell; 2] {
         cell.halves.get_or_init(|| {
             let (mut low, mut high) = (cell.known.bounds, cell.known.bounds);
             low.max[usize::from(cell.axis)] = cell.plane;

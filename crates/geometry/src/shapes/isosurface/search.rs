@@ -8,19 +8,20 @@ use raggio_function::Range;
 use raggio_math::Ray;
 
 use super::Isosurface;
-use super::field::{Model, Walk};
+use super::field::{Cell, Model};
 use super::grid::{Grid, Sample};
+use super::walk::Walk;
 
 /// Slopes that spread over more than this share of what the maximal gradient allows tell nothing.
 const TELLING: f64 = 0.9;
 
 /// The function along a ray, above the threshold or, with the sign turned, below it.
 pub(super) struct Search<'a> {
-    pub surface: &'a Isosurface,
+    surface: &'a Isosurface,
     /// In the object's coordinates; its direction is as long as a world unit is there.
-    pub ray: Ray,
+    ray: Ray,
     /// The length of the direction.
-    pub stretch: f64,
+    stretch: f64,
     pub sign: f64,
     pub gradient: f64,
     /// Does what was not found so far surely not exist?
@@ -35,24 +36,70 @@ struct Progress {
     unknown_from: u64,
     /// The last sample, if the function was looked at.
     last: Option<Sample>,
+    /// What the value is surely not below where the walk stands.
+    least: f64,
 }
 
-impl Search<'_> {
+impl<'a> Search<'a> {
+    pub(super) fn new(surface: &'a Isosurface, ray: Ray) -> Self {
+        let stretch = ray.dir.length();
+        Search { surface, ray, stretch, sign: 1.0, gradient: surface.max_gradient, proved: true }
+    }
+
     #[inline]
     pub(super) fn value(&self, t: f64) -> f64 {
         self.sign * self.surface.value(self.ray.at(t))
     }
 
+    /// Where a search begins that may begin at a parameter or at zero, where the walk does, and where the function's
+    /// value lies there: a single number, unless its sign is known without looking.
+    pub(super) fn start(&self, enter: f64, walk: Option<&mut Walk>) -> (f64, Range) {
+        let (start, accuracy) = (enter.max(0.0), self.surface.accuracy);
+        let is_signed = |value: Range| !value.contains(0.0);
+        let Some(walk) = walk else { return self.start_unknown(start) };
+        if start >= accuracy {
+            return (start, self.where_value_is(start, walk, is_signed));
+        }
+        // A ray that starts on the surface must not meet it again at once.
+        let close = self.close();
+        let is_clear = |value: Range| value.size() < close || value.lo >= close || value.hi <= -close;
+        let value = self.where_value_is(start, walk, is_clear);
+        if value.size() >= close {
+            return (start, value);
+        }
+        let next = 5.0 * accuracy;
+        let (cell, to) = walk.here();
+        walk.go_to(next);
+        let slope = cell.model().along(self.ray.dir);
+        let known = value + slope * (next - start);
+        if next < to && cell.model().is_known() && is_signed(known) {
+            return (next, known);
+        }
+        (next, self.where_value_is(next, walk, is_signed))
+    }
+
+    /// The same where nothing is known of the function.
+    fn start_unknown(&self, start: f64) -> (f64, Range) {
+        let there = |t: f64| (t, Range::one(self.surface.value(self.ray.at(t))));
+        let first = there(start);
+        if start < self.surface.accuracy && first.1.size() < self.close() {
+            return there(5.0 * self.surface.accuracy);
+        }
+        first
+    }
+
+    /// Values below this are those of points on the surface.
+    fn close(&self) -> f64 {
+        4.0 * self.gradient * self.surface.accuracy
+    }
+
     /// Where the function's value at a parameter lies: a single number, unless the walk, which begins there, tells
     /// enough.
-    pub(super) fn where_value_is(
-        &self,
-        t: f64,
-        walk: Option<&Walk>,
-        enough: impl Fn(Range) -> bool,
-    ) -> Range {
-        let known = walk.map(|walk| walk.cell.value_at(self.ray.at(t))).filter(|&known| enough(known));
-        known.unwrap_or_else(|| Range::one(self.surface.value(self.ray.at(t))))
+    #[inline]
+    fn where_value_is(&self, t: f64, walk: &mut Walk, enough: impl Fn(Range) -> bool) -> Range {
+        let p = self.ray.at(t);
+        let known = walk.here().0.value_at(p);
+        if enough(known) { known } else { Range::one(self.surface.value(p)) }
     }
 
     fn sample(&self, grid: &Grid, index: u64) -> Sample {
@@ -60,60 +107,80 @@ impl Search<'_> {
         Sample { index, t, value: self.value(t) }
     }
 
-    /// The first root between `start` and `end`, on the way that is known, if one is. The function's value at the start
-    /// is found where it is needed, unless it is there.
+    /// The first root between a start, where the value lies in a range if anything is known of it, and `end`, on the way
+    /// that is known, if one is.
     pub(super) fn first_root(
         &mut self,
-        start: (f64, Option<f64>),
+        (start, value): (f64, Range),
         end: f64,
         walk: Option<&mut Walk>,
     ) -> Option<f64> {
-        let grid = Grid::new(start.0, end, self.surface.accuracy);
-        let first = start.1.map(|value| Sample { index: 0, t: start.0, value });
+        let grid = Grid::new(start, end, self.surface.accuracy);
+        let value = value * self.sign;
+        let first = (value.lo == value.hi).then_some(Sample { index: 0, t: start, value: value.lo });
         let Some(walk) = walk else {
             let first = first.unwrap_or_else(|| self.sample(&grid, 0));
             let last = self.sample(&grid, grid.count);
             let steepest = Range::within(self.gradient * self.stretch);
             return self.first(&grid, first, last, steepest).map(|s| s.t);
         };
-        let mut progress = Progress { done: 0, unknown_from: 0, last: first };
-        while !walk.over {
-            if !self.is_free(walk) {
-                let to = walk.stretch.1;
-                let last = if to < end { grid.not_before(to).saturating_sub(1) } else { grid.count };
-                let first = grid.not_before(walk.stretch.0).max(progress.done + 1);
-                if first <= last
-                    && let Some(index) =
-                        self.in_stretch(&grid, (first, last), walk.cell.model(), &mut progress)
-                {
+        let mut progress = Progress { done: 0, unknown_from: 0, last: first, least: value.lo };
+        while let Some((cell, stretch)) =
+            walk.next(|cell, stretch| self.is_free(cell, stretch, &mut progress.least))
+        {
+            let last =
+                if stretch.1 < end { grid.not_before(stretch.1).saturating_sub(1) } else { grid.count };
+            let first = grid.not_before(stretch.0).max(progress.done + 1);
+            if first <= last {
+                let entry = (stretch.0, std::mem::replace(&mut progress.least, f64::NEG_INFINITY));
+                let found = self.in_stretch(&grid, (first, last), entry, cell.model(), &mut progress);
+                if let Some(index) = found {
                     return Some(grid.at(index));
                 }
             }
-            walk.advance();
         }
         self.postponed(&grid, &mut progress).map(|index| grid.at(index))
     }
 
-    /// Is there surely nothing below zero where the walk stands?
+    /// Is there surely nothing below zero in a stretch of a box? The value where it begins is not below `least`, which is
+    /// then made to hold for its end.
     #[inline]
-    fn is_free(&self, walk: &Walk) -> bool {
-        if walk.cell.is_empty(self.sign) {
+    fn is_free(&self, cell: &Cell, (from, to): (f64, f64), least: &mut f64) -> bool {
+        if cell.least(self.sign) > 0.0 {
+            *least = cell.least(self.sign);
             return true;
         }
-        // Between the ends the least possible value is not less than at one of them.
-        let least = |t: f64| {
-            let (middle, off) = walk.cell.model().at(self.ray.at(t));
+        let model = cell.model();
+        let slope = model.along(self.ray.dir * self.sign);
+        let length = to - from;
+        if *least >= 0.0 && slope.lo >= 0.0 {
+            *least += slope.lo * length;
+            return true;
+        }
+        let least_at = |t: f64| {
+            let (middle, off) = model.at(self.ray.at(t));
             self.sign * middle - off
         };
-        least(walk.stretch.0) >= 0.0 && least(walk.stretch.1) >= 0.0
+        let ends = (least_at(from), least_at(to));
+        let (entry, exit) = (least.max(ends.0), ends.1.max(*least + slope.lo * length));
+        // Between the ends what the model allows is not less than at one of them.
+        let is_free = entry >= 0.0
+            && exit >= 0.0
+            && (ends.0.min(ends.1) >= 0.0 || lowest(entry, exit, length, slope) >= 0.0);
+        if is_free {
+            *least = exit;
+        }
+        is_free
     }
 
-    /// The first of some points in a box that is below zero, or one that was postponed.
+    /// The first of some points in a box that is below zero, or one that was postponed. Where the ray enters the box
+    /// the value is not below what `entry` says.
     #[inline]
     fn in_stretch(
         &mut self,
         grid: &Grid,
         (first, last): (u64, u64),
+        entry: (f64, f64),
         model: &Model,
         progress: &mut Progress,
     ) -> Option<u64> {
@@ -138,7 +205,8 @@ impl Search<'_> {
             return Some(found);
         }
         (progress.done, progress.unknown_from) = (last, last);
-        self.bent(grid, a, b, slope)
+        let least = a.value.lo.max(entry.1 + slope.lo * (a.t - entry.0));
+        self.bent(grid, Known { value: Range { lo: least, ..a.value }, ..a }, b, slope)
     }
 
     /// Searches what was postponed.
@@ -206,7 +274,11 @@ impl Search<'_> {
 
     /// The first point below zero where the function may rise and fall.
     fn bent(&mut self, grid: &Grid, a: Known, b: Known, slope: Range) -> Option<u64> {
-        let a = self.sample(grid, a.index);
+        let a = if a.value.lo >= 0.0 {
+            Sample { index: a.index, t: a.t, value: a.value.lo }
+        } else {
+            self.sample(grid, a.index)
+        };
         if a.value < 0.0 || a.index == b.index {
             return (a.value < 0.0).then_some(a.index);
         }
@@ -222,7 +294,7 @@ impl Search<'_> {
         self.learn((b.value - a.value).abs() / (self.stretch * (b.t - a.t)));
         let slope =
             if self.surface.evaluate.is_some() { Range::within(self.gradient * self.stretch) } else { slope };
-        if least(a, b, slope) >= 0.0 {
+        if lowest(a.value, b.value, b.t - a.t, slope) >= 0.0 {
             return None;
         }
         let middle = self.sample(grid, a.index.midpoint(b.index));
@@ -261,15 +333,15 @@ struct Known {
     value: Range,
 }
 
-/// The least value that a function with slopes in a range can have between two samples.
-fn least(a: Sample, b: Sample, slope: Range) -> f64 {
+/// The least value that a function with slopes in a range can have on a way between two values.
+#[inline]
+fn lowest(a: f64, b: f64, length: f64, slope: Range) -> f64 {
     if slope.lo >= 0.0 {
-        return a.value;
+        return a;
     }
     if slope.hi <= 0.0 {
-        return b.value;
+        return b;
     }
     // Where the steepest fall from a meets the steepest rise to b.
-    let length = b.t - a.t;
-    (slope.hi * a.value - slope.lo * b.value + slope.hi * slope.lo * length) / (slope.hi - slope.lo)
+    (slope.hi * a - slope.lo * b + slope.hi * slope.lo * length) / (slope.hi - slope.lo)
 }
