@@ -33,7 +33,7 @@ pub fn run(words: &[String]) -> Result<(), String> {
     std::fs::create_dir_all(&counts).map_err(|e| format!("{}: {e}", counts.display()))?;
     let flags = |profile: String| [Some(profile), cpu.as_ref().map(|cpu| format!("-Ctarget-cpu={cpu}"))];
     let binary = build(&folder, &host, flags(format!("-Cprofile-generate={}", counts.display())))?;
-    train(&binary, &counts)?;
+    train(&binary, &counts, &folder.join("training.png"))?;
     succeed(Command::new(merge).arg("merge").arg("-o").arg(&profile).arg(&counts))?;
     let binary = build(&folder, &host, flags(format!("-Cprofile-use={}", profile.display())))?;
     println!("{}", binary.display());
@@ -70,14 +70,13 @@ fn build(folder: &Path, host: &str, flags: [Option<String>; 2]) -> Result<PathBu
 }
 
 /// Renders scenes with the program that counts. Some of them are there to be refused.
-fn train(binary: &Path, counts: &Path) -> Result<(), String> {
-    let picture = counts.join("picture.png");
+fn train(binary: &Path, counts: &Path, picture: &Path) -> Result<(), String> {
     let mut rendered = 0;
     for folder in TRAINING {
         for scene in conformance::scenes_below(&root_folder().join(folder))? {
             let mut command = Command::new(binary);
             command.current_dir(scene.parent().unwrap_or(Path::new(".")));
-            command.arg("render").arg(&scene).args(["--size", SIZE, "--threads", "1", "-o"]).arg(&picture);
+            command.arg("render").arg(&scene).args(["--size", SIZE, "--threads", "1", "-o"]).arg(picture);
             // All runs add to one file for each of them that goes on at the same time.
             command.env("LLVM_PROFILE_FILE", counts.join("%1m.profraw"));
             rendered += usize::from(process::run(&mut command, LIMIT)?.code == Some(0));
