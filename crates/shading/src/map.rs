@@ -31,7 +31,7 @@ impl<T> Map<T> {
     }
 
     /// The entry at a value, or the two around it.
-    #[inline]
+    #[inline(always)]
     pub fn at(&self, value: f64) -> Blend<'_, T> {
         match self.positions.last() {
             Some(&last) if value < f64::from(last) => {}
@@ -47,6 +47,7 @@ impl<T> Map<T> {
     }
 
     /// The index of the first entry whose position is at least `value`; there is one.
+    #[inline]
     fn first_not_below(&self, value: f64) -> usize {
         let below = |&position: &f32| value > f64::from(position);
         if self.sorted && self.positions.len() > WALK {

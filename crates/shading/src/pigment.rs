@@ -159,7 +159,14 @@ impl Pigment {
     }
 
     /// The colour at a point, clear white where there is none, and whether there is one.
+    #[inline(always)]
     pub fn sample(&self, p: Vec3, context: &Context) -> (Color, bool) {
+        self.sample_at(p.x, p.y, p.z, context)
+    }
+
+    /// Coordinates come in registers, where they need not be waited for.
+    fn sample_at(&self, x: f64, y: f64, z: f64, context: &Context) -> (Color, bool) {
+        let p = Vec3::new(x, y, z);
         match &self.kind {
             Kind::Solid(color) => (*color, true),
             Kind::Colors { pattern, map } => (color_at(map, pattern.eval(p, context)), true),

@@ -179,19 +179,21 @@ fn between(x: &Axis, near: [Lanes; LANES], far: [Lanes; LANES]) -> Lanes {
     _mm256_add_pd(near, _mm256_mul_pd(x.s, _mm256_sub_pd(far, near)))
 }
 
-/// Raw scalar noise at the first `N` points.
-#[inline]
+/// Raw scalar noise at the first `N` points. By the ABI of C lanes come and go in registers; in Rust's own, in memory.
+#[allow(improper_ctypes_definitions)] // It is called from here only.
 #[target_feature(enable = "avx2")]
-fn scalar_lanes<const N: usize>(p: [Lanes; 3]) -> Lanes {
-    let axes = [Axis::at(p[0]), Axis::at(p[1]), Axis::at(p[2])];
+extern "C" fn scalar_lanes<const N: usize>(x: Lanes, y: Lanes, z: Lanes) -> Lanes {
+    let axes = [Axis::at(x), Axis::at(y), Axis::at(z)];
     let factors = Factors::new(&axes[1], &axes[2]);
-    let (mut near, mut far) = ([_mm256_setzero_pd(); LANES], [_mm256_setzero_pd(); LANES]);
-    for lane in 0..N {
+    let sides = |lane: usize| {
+        if lane >= N {
+            return (_mm256_setzero_pd(), _mm256_setzero_pd());
+        }
         let (corners, factors) = (corners(&axes, lane), factors.of(lane));
-        near[lane] = side::<0>(&corners[..4], &factors);
-        far[lane] = side::<0>(&corners[4..], &factors);
-    }
-    between(&axes[0], near, far)
+        (side::<0>(&corners[..4], &factors), side::<0>(&corners[4..], &factors))
+    };
+    let (a, b, c, d) = (sides(0), sides(1), sides(2), sides(3));
+    between(&axes[0], [a.0, b.0, c.0, d.0], [a.1, b.1, c.1, d.1])
 }
 
 /// Raw vector noise at the first `N` points, one channel after the other.
@@ -200,19 +202,25 @@ fn scalar_lanes<const N: usize>(p: [Lanes; 3]) -> Lanes {
 fn vector_lanes<const N: usize>(p: [Lanes; 3]) -> [Lanes; 3] {
     let axes = [Axis::at(p[0]), Axis::at(p[1]), Axis::at(p[2])];
     let factors = Factors::new(&axes[1], &axes[2]);
-    let nothing = [_mm256_setzero_pd(); LANES];
-    let (mut near, mut far) = ([nothing; 3], [nothing; 3]);
-    for lane in 0..N {
-        let (corners, factors) = (corners(&axes, lane), factors.of(lane));
-        (near[0][lane], far[0][lane]) =
-            (side::<0>(&corners[..4], &factors), side::<0>(&corners[4..], &factors));
-        (near[1][lane], far[1][lane]) =
-            (side::<1>(&corners[..4], &factors), side::<1>(&corners[4..], &factors));
-        (near[2][lane], far[2][lane]) =
-            (side::<2>(&corners[..4], &factors), side::<2>(&corners[4..], &factors));
-    }
-    let x = &axes[0];
-    [between(x, near[0], far[0]), between(x, near[1], far[1]), between(x, near[2], far[2])]
+    // All hashes first, so that their long chains of loads run side by side.
+    let places: [[usize; 8]; N] = std::array::from_fn(|lane| corners(&axes, lane));
+    let sides = |lane: usize| {
+        if lane >= N {
+            return [[_mm256_setzero_pd(); 2]; 3];
+        }
+        let factors = factors.of(lane);
+        let (near, far) = places[lane].split_at(4);
+        [
+            [side::<0>(near, &factors), side::<0>(far, &factors)],
+            [side::<1>(near, &factors), side::<1>(far, &factors)],
+            [side::<2>(near, &factors), side::<2>(far, &factors)],
+        ]
+    };
+    let (a, b, c, d) = (sides(0), sides(1), sides(2), sides(3));
+    let channel = |m: usize| {
+        between(&axes[0], [a[m][0], b[m][0], c[m][0], d[m][0]], [a[m][1], b[m][1], c[m][1], d[m][1]])
+    };
+    [channel(0), channel(1), channel(2)]
 }
 
 /// The point at the scales of the next four octaves.
@@ -274,7 +282,8 @@ pub(super) fn vectors(octaves: &Octaves, out: &mut [[[f64; LANES]; 3]]) -> Optio
 #[target_feature(enable = "avx2")]
 fn one_scalar(x: f64, y: f64, z: f64) -> f64 {
     let p = [_mm256_set1_pd(x), _mm256_set1_pd(y), _mm256_set1_pd(z)];
-    _mm256_cvtsd_f64(scalar_lanes::<1>(p))
+    let [x, y, z] = p;
+    _mm256_cvtsd_f64(scalar_lanes::<1>(x, y, z))
 }
 
 #[target_feature(enable = "avx2")]
@@ -291,12 +300,20 @@ fn ranged(raw: Lanes, range: Range) -> Lanes {
     _mm256_min_pd(_mm256_max_pd(v, _mm256_setzero_pd()), _mm256_set1_pd(1.0))
 }
 
+/// A number read by itself. The compiler joins loads of neighbours, and one that is wider than what was just stored there
+/// has to wait for the stores to be done with.
+#[inline(always)]
+fn alone(v: &f64) -> f64 {
+    // SAFETY: a reference may be read.
+    unsafe { std::ptr::read_volatile(v) }
+}
+
 #[target_feature(enable = "avx2")]
 fn four_scalars([a, b, c, d]: &[Vec3; LANES], range: Range) -> [f64; LANES] {
-    let x = _mm256_set_pd(d.x, c.x, b.x, a.x);
-    let y = _mm256_set_pd(d.y, c.y, b.y, a.y);
-    let z = _mm256_set_pd(d.z, c.z, b.z, a.z);
-    numbers(ranged(scalar_lanes::<LANES>([x, y, z]), range))
+    let x = _mm256_set_pd(alone(&d.x), alone(&c.x), alone(&b.x), alone(&a.x));
+    let y = _mm256_set_pd(alone(&d.y), alone(&c.y), alone(&b.y), alone(&a.y));
+    let z = _mm256_set_pd(alone(&d.z), alone(&c.z), alone(&b.z), alone(&a.z));
+    numbers(ranged(scalar_lanes::<LANES>(x, y, z), range))
 }
 
 #[target_feature(enable = "avx2")]
@@ -311,12 +328,12 @@ fn many_scalars(
     out: &mut [[f64; LANES]],
 ) {
     for (k, out) in out.iter_mut().enumerate() {
-        let p = four_octaves(x, y, z, &mut scale, lambda);
+        let [x, y, z] = four_octaves(x, y, z, &mut scale, lambda);
         let raw = match count.saturating_sub(LANES * k) {
             0 => return,
-            1 | 2 => scalar_lanes::<2>(p),
-            3 => scalar_lanes::<3>(p),
-            _ => scalar_lanes::<4>(p),
+            1 | 2 => scalar_lanes::<2>(x, y, z),
+            3 => scalar_lanes::<3>(x, y, z),
+            _ => scalar_lanes::<4>(x, y, z),
         };
         *out = numbers(ranged(raw, range));
     }

@@ -17,9 +17,14 @@ fn split(c: f64) -> (usize, f64) {
 }
 
 /// Noise in 0..=1.
+#[inline]
 pub(super) fn noise(p: Vec3) -> f64 {
+    noise_at(p.x, p.y, p.z)
+}
+
+fn noise_at(x: f64, y: f64, z: f64) -> f64 {
     let tables = &**GRADIENT_TABLES;
-    let ((bx, fx), (by, fy), (bz, fz)) = (split(p.x), split(p.y), split(p.z));
+    let ((bx, fx), (by, fy), (bz, fz)) = (split(x), split(y), split(z));
     let permute = |i: usize| usize::from(tables.permutation[i & MASK]);
     let corner = |hy: usize, dx: f64, dy: f64, dz: usize| {
         let g = &tables.gradients[(hy + ((bz + dz) & MASK)) & MASK];

@@ -3,6 +3,9 @@ use super::lattice::{LANES, Octaves};
 use super::{MOST_OCTAVES, clamp01, octave_groups, vector_groups};
 use crate::Vec3;
 
+// Coordinates go in one by one, in registers: read back from memory in parts of another size than those just stored they
+// have to be waited for, which takes longer than an octave.
+
 /// Octaves outside this range are clipped to it.
 fn octaves_in_range(octaves: u32) -> usize {
     (octaves as usize).clamp(1, MOST_OCTAVES)
@@ -10,8 +13,13 @@ fn octaves_in_range(octaves: u32) -> usize {
 
 /// Scalar turbulence: `octaves` (1 to 10) of noise, each `lambda` times finer and `omega` times weaker than the one
 /// before. Not normalised. `omega` and `lambda` are single precision because the language keeps them so.
+#[inline]
 pub fn turbulence(generator: u8, p: Vec3, octaves: u32, omega: f32, lambda: f32) -> f64 {
-    let octaves = first_at(p, octaves, lambda);
+    scalar_sum(generator, p.x, p.y, p.z, octaves, omega, lambda)
+}
+
+fn scalar_sum(generator: u8, x: f64, y: f64, z: f64, octaves: u32, omega: f32, lambda: f32) -> f64 {
+    let octaves = first_at(Vec3::new(x, y, z), octaves, lambda);
     let groups = octave_groups(generator, octaves);
     let octave = |n: f64| if generator == 1 { n } else { 2.0 * n - 0.5 };
     let omega = f64::from(omega);
@@ -26,8 +34,13 @@ pub fn turbulence(generator: u8, p: Vec3, octaves: u32, omega: f32, lambda: f32)
 }
 
 /// Vector turbulence: octaves of [`dnoise`](super::dnoise) summed in the same way.
+#[inline]
 pub fn dturbulence(p: Vec3, octaves: u32, omega: f32, lambda: f32) -> Vec3 {
-    let octaves = first_at(p, octaves, lambda);
+    vector_sum(p.x, p.y, p.z, octaves, omega, lambda)
+}
+
+fn vector_sum(x: f64, y: f64, z: f64, octaves: u32, omega: f32, lambda: f32) -> Vec3 {
+    let octaves = first_at(Vec3::new(x, y, z), octaves, lambda);
     let groups = vector_groups(octaves);
     let (mut sum, mut weight) = (Vec3::ZERO, 1.0);
     for i in 0..octaves.count {

@@ -22,7 +22,9 @@ impl NormalPath<'_> {
     /// The normal, of unit length in the world, that a layer makes of the surface's `n`. `p` is the layer's point.
     pub fn bend(&self, normal: &Normal, n: Vec3, p: Vec3, context: &Context) -> Vec3 {
         let lengths = normal.keeps_lengths();
-        unit(self.leave(normal.perturb(self.enter(n, lengths), p, context), lengths))
+        let bent = self.leave(normal.perturb(self.enter(n, lengths), p, context), lengths);
+        // Every step but those that keep lengths leaves it of unit length.
+        if lengths { unit(bent) } else { bent }
     }
 
     /// A point of the world in the layer's space, where no texture coordinates stand in its place.

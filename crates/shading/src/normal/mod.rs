@@ -79,17 +79,18 @@ impl Normal {
     /// the answer need not.
     pub fn perturb(&self, n: Vec3, p: Vec3, context: &Context) -> Vec3 {
         let bent = self.bend(n, p, context);
-        match bent.is_finite() {
-            true if self.scaled => bent,
-            true => bent.normalize_or(n),
-            false => n,
-        }
+        // Where lengths do not count it is of unit length already, or nothing.
+        if bent.is_finite() && (self.scaled || bent.length_squared() > 0.5) { bent } else { n }
     }
 
     /// The bent normal with the length that it has by the rules of `no_bump_scale`.
     fn bend(&self, n: Vec3, p: Vec3, context: &Context) -> Vec3 {
         match &self.kind {
-            Kind::Uv(inner) => inner.bend(n, context.uv_point(), context),
+            Kind::Uv(inner) => {
+                let bent = inner.bend(n, context.uv_point(), context);
+                // Inside, lengths may count.
+                if self.scaled { bent } else { bent.normalize_or(bent) }
+            }
             Kind::Special { warps, special } => self.within(warps, n, |n| special.bend(n, warps.apply(p))),
             Kind::Bump { warps, image, size } => {
                 self.within(warps, n, |n| bump::bend(image, *size, n, warps.apply(p)))

@@ -11,14 +11,14 @@ pub(super) trait Number:
 }
 
 impl Number for f64 {
-    #[inline]
+    #[inline(always)]
     fn of(v: f64) -> f64 {
         v
     }
 }
 
 impl Number for f64x4 {
-    #[inline]
+    #[inline(always)]
     fn of(v: f64) -> f64x4 {
         f64x4::splat(v)
     }
@@ -32,23 +32,23 @@ pub(super) struct Complex<T = f64> {
 }
 
 impl<T: Number> Complex<T> {
-    #[inline]
+    #[inline(always)]
     pub const fn new(re: T, im: T) -> Self {
         Complex { re, im }
     }
 
-    #[inline]
+    #[inline(always)]
     pub fn real(re: f64) -> Self {
         Complex::new(T::of(re), T::of(0.0))
     }
 
     /// The squared distance from 0.
-    #[inline]
+    #[inline(always)]
     pub fn norm(self) -> T {
         self.re * self.re + self.im * self.im
     }
 
-    #[inline]
+    #[inline(always)]
     pub fn power(self, exponent: u8) -> Self {
         (1..exponent).fold(self, |z, _| z * self)
     }
@@ -56,14 +56,14 @@ impl<T: Number> Complex<T> {
 
 impl Complex<f64x4> {
     /// Four numbers side by side.
-    #[inline]
+    #[inline(always)]
     pub fn of_each(z: [Complex; 4]) -> Self {
         let [a, b, c, d] = z;
         Complex::new(f64x4::new([a.re, b.re, c.re, d.re]), f64x4::new([a.im, b.im, c.im, d.im]))
     }
 
     /// `self` where the mask is set, elsewhere `other`.
-    #[inline]
+    #[inline(always)]
     pub fn where_else(self, mask: f64x4, other: Self) -> Self {
         Complex::new(mask.bitselect(self.re, other.re), mask.bitselect(self.im, other.im))
     }
@@ -71,7 +71,7 @@ impl Complex<f64x4> {
 
 impl<T: Number> Add for Complex<T> {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn add(self, o: Self) -> Self {
         Complex::new(self.re + o.re, self.im + o.im)
     }
@@ -79,7 +79,7 @@ impl<T: Number> Add for Complex<T> {
 
 impl<T: Number> Sub for Complex<T> {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn sub(self, o: Self) -> Self {
         Complex::new(self.re - o.re, self.im - o.im)
     }
@@ -87,7 +87,7 @@ impl<T: Number> Sub for Complex<T> {
 
 impl<T: Number> Mul for Complex<T> {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn mul(self, o: Self) -> Self {
         Complex::new(self.re * o.re - self.im * o.im, self.re * o.im + self.im * o.re)
     }
@@ -95,7 +95,7 @@ impl<T: Number> Mul for Complex<T> {
 
 impl<T: Number> Mul<Complex<T>> for f64 {
     type Output = Complex<T>;
-    #[inline]
+    #[inline(always)]
     fn mul(self, o: Complex<T>) -> Complex<T> {
         Complex::new(T::of(self) * o.re, T::of(self) * o.im)
     }
@@ -103,7 +103,7 @@ impl<T: Number> Mul<Complex<T>> for f64 {
 
 impl<T: Number> Div for Complex<T> {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn div(self, o: Self) -> Self {
         let conjugate = Complex::new(o.re, T::of(0.0) - o.im);
         let scale = T::of(1.0) / o.norm();

@@ -1,9 +1,10 @@
 //! Escape-time fractals: Mandelbrot, Julia and magnet sets (textures spec, section 4).
-use raggio_math::Vec3;
+use raggio_math::{Vec3, Wide, wide};
 use raggio_scene::{FractalKind, FractalSettings};
 use wide::f64x4;
 
 use super::complex::{Complex, Number};
+use super::each;
 
 /// How an iteration ended.
 struct Orbit {
@@ -48,20 +49,36 @@ pub(super) fn values(settings: &FractalSettings, points: &[Vec3; 4]) -> [f64; 4]
     if n > FEW_STEPS {
         return points.map(|p| value(settings, p));
     }
-    let here = Complex::of_each(points.map(|p| Complex::new(p.x, p.y)));
-    let c = settings.julia.map_or(here, |c| Complex::new(f64x4::splat(c.x), f64x4::splat(c.y)));
-    let power = |z: Complex<f64x4>| Walk { n, z, closest: z.norm() };
-    let start = if settings.julia.is_some() { here } else { Complex::real(0.0) };
-    let magnet = Walk { n, z: start, closest: f64x4::splat(MAGNET_REACH) };
-    // What is not a number has been too large for one.
-    let far = |_, norm: f64x4| !norm.simd_le(f64x4::splat(4.0));
-    let orbits = match settings.kind {
-        FractalKind::Power(2) => power(here).follow(|z| z * z + c, far),
-        FractalKind::Power(e) => power(here).follow(|z| z.power(e) + c, far),
-        FractalKind::Magnet1 => magnet.follow(|z| magnet1(z, c), magnet_stops),
-        FractalKind::Magnet2 => magnet.follow(|z| magnet2(z, c), magnet_stops),
-    };
-    orbits.map(|orbit| of_orbit(settings, &orbit))
+    let orbits = wide(Orbits { settings, points });
+    each(&orbits, |orbit| of_orbit(settings, orbit))
+}
+
+/// The orbits of four points of a fractal.
+struct Orbits<'a> {
+    settings: &'a FractalSettings,
+    points: &'a [Vec3; 4],
+}
+
+impl Wide for Orbits<'_> {
+    type Output = [Orbit; 4];
+
+    #[inline(always)]
+    fn run(self) -> [Orbit; 4] {
+        let n = self.settings.iterations;
+        let here = Complex::of_each(each(self.points, |p| Complex::new(p.x, p.y)));
+        let c = self.settings.julia.map_or(here, |c| Complex::new(f64x4::splat(c.x), f64x4::splat(c.y)));
+        let power = |z: Complex<f64x4>| Walk { n, z, closest: z.norm() };
+        let start = if self.settings.julia.is_some() { here } else { Complex::real(0.0) };
+        let magnet = Walk { n, z: start, closest: f64x4::splat(MAGNET_REACH) };
+        // What is not a number has been too large for one.
+        let far = |_, norm: f64x4| !norm.simd_le(f64x4::splat(4.0));
+        match self.settings.kind {
+            FractalKind::Power(2) => power(here).follow(|z| z * z + c, far),
+            FractalKind::Power(e) => power(here).follow(|z| z.power(e) + c, far),
+            FractalKind::Magnet1 => magnet.follow(|z| magnet1(z, c), magnet_stops),
+            FractalKind::Magnet2 => magnet.follow(|z| magnet2(z, c), magnet_stops),
+        }
+    }
 }
 
 fn of_orbit(settings: &FractalSettings, orbit: &Orbit) -> f64 {
@@ -113,6 +130,7 @@ fn magnet_orbit(start: Complex, n: u32, next: impl Fn(Complex) -> Complex) -> Or
     orbit
 }
 
+#[inline(always)]
 fn magnet_stops(z: Complex<f64x4>, norm: f64x4) -> f64x4 {
     let home = (z - Complex::real(1.0)).norm();
     norm.simd_gt(f64x4::splat(MAGNET_REACH)) | home.simd_lt(f64x4::splat(MAGNET_HOME))
@@ -127,16 +145,17 @@ struct Walk {
 
 impl Walk {
     /// Follows them until all have stopped. `stop` is told the place and its squared distance from 0, and sets a mask.
-    #[inline]
+    /// What has stopped wanders on until all have, so that no step waits for the mask; where it stopped is kept.
+    #[inline(always)]
     fn follow(
         mut self,
         next: impl Fn(Complex<f64x4>) -> Complex<f64x4>,
         stop: impl Fn(Complex<f64x4>, f64x4) -> f64x4,
     ) -> [Orbit; 4] {
-        let mut on = !f64x4::ZERO;
+        let (mut z, mut on) = (self.z, !f64x4::ZERO);
         let mut columns = f64x4::splat(f64::from(self.n));
         for column in 0..self.n {
-            let z = next(self.z);
+            z = next(z);
             let norm = z.norm();
             self.z = z.where_else(on, self.z);
             self.closest = (on & norm.simd_lt(self.closest)).bitselect(norm, self.closest);
@@ -219,14 +238,14 @@ fn escaped(
     orbit
 }
 
-#[inline]
+#[inline(always)]
 fn magnet1<T: Number>(z: Complex<T>, c: Complex<T>) -> Complex<T> {
     let one = Complex::real(1.0);
     let q = (z * z + c - one) / (2.0 * z + c - Complex::real(2.0));
     q * q
 }
 
-#[inline]
+#[inline(always)]
 fn magnet2<T: Number>(z: Complex<T>, c: Complex<T>) -> Complex<T> {
     let one = Complex::real(1.0);
     let c1 = c - one;

@@ -224,7 +224,15 @@ impl Pattern {
 }
 
 impl Kind {
+    #[inline(always)]
     fn value(&self, p: Vec3, context: &Context) -> f64 {
+        self.value_at(p.x, p.y, p.z, context)
+    }
+
+    /// Coordinates come in registers: in memory they would have to be waited for where they have just been stored in
+    /// parts of another size than those in which they are read.
+    fn value_at(&self, x: f64, y: f64, z: f64, context: &Context) -> f64 {
+        let p = Vec3::new(x, y, z);
         match self {
             Kind::Zero => 0.0,
             Kind::Agate { noise, turbulence, strength } => noisy::agate(p, *noise, turbulence, *strength),

@@ -26,26 +26,31 @@ pub(super) struct Waveform {
     /// 0 neither scales nor wraps.
     frequency: f64,
     phase: f64,
+    plain: bool,
 }
 
 impl Waveform {
     pub fn of(pattern: &scene::Pattern) -> Self {
-        Waveform {
-            wave: pattern.wave,
-            frequency: f64::from(pattern.frequency),
-            phase: f64::from(pattern.phase),
-        }
+        Waveform::new(pattern.wave, f64::from(pattern.frequency), f64::from(pattern.phase))
+    }
+
+    fn new(wave: scene::Wave, frequency: f64, phase: f64) -> Self {
+        let unscaled = frequency == 0.0 || (frequency == 1.0 && phase == 0.0);
+        Waveform { wave, frequency, phase, plain: unscaled && wave == scene::Wave::Ramp }
     }
 
     /// Do values in 0..=1 stay as they are?
     pub fn is_plain(&self) -> bool {
-        let unscaled = self.frequency == 0.0 || (self.frequency == 1.0 && self.phase == 0.0);
-        unscaled && self.wave == scene::Wave::Ramp
+        self.plain
     }
 
     /// The value that maps look up. A NaN becomes 0.
-    #[inline]
-    pub fn apply(&self, mut v: f64) -> f64 {
+    #[inline(always)]
+    pub fn apply(&self, v: f64) -> f64 {
+        if self.plain && (0.0..PERIOD).contains(&v) { v } else { self.reshaped(v) }
+    }
+
+    fn reshaped(&self, mut v: f64) -> f64 {
         if self.frequency != 0.0 {
             v = v * self.frequency + self.phase;
             if v.abs() >= PERIOD {
@@ -83,7 +88,7 @@ mod tests {
     use super::*;
 
     fn wave(wave: scene::Wave, frequency: f64, phase: f64) -> Waveform {
-        Waveform { wave, frequency, phase }
+        Waveform::new(wave, frequency, phase)
     }
 
     #[test]

@@ -62,9 +62,14 @@ impl WarpList {
     }
 
     /// The point that the pattern sees.
-    #[inline]
+    #[inline(always)]
     pub fn apply(&self, p: Vec3) -> Vec3 {
-        let p = clip(p);
+        self.apply_at(p.x, p.y, p.z)
+    }
+
+    /// Coordinates come in registers, where they need not be waited for.
+    fn apply_at(&self, x: f64, y: f64, z: f64) -> Vec3 {
+        let p = clip(Vec3::new(x, y, z));
         match &*self.ops {
             [] => p,
             [only] => clip(only.apply(p)),
@@ -92,20 +97,17 @@ impl WarpList {
         }
     }
 
-    /// A normal carried into the pattern's space. Only transforms act. `scaled` keeps lengths, for `no_bump_scale`.
+    /// A normal, of unit length unless `scaled`, carried into the pattern's space. Only transforms act. `scaled` keeps
+    /// lengths, for `no_bump_scale`.
+    #[inline]
     pub fn normal_in(&self, n: Vec3, scaled: bool) -> Vec3 {
-        match &self.normals {
-            None => unit(n, scaled),
-            Some(normals) => unit(normals.inward * unit(n, scaled), scaled),
-        }
+        self.normals.as_ref().map_or(n, |normals| unit(normals.inward * n, scaled))
     }
 
-    /// And back.
+    /// And back, from any length.
+    #[inline]
     pub fn normal_out(&self, n: Vec3, scaled: bool) -> Vec3 {
-        match &self.normals {
-            None => unit(n, scaled),
-            Some(normals) => unit(normals.outward * unit(n, scaled), scaled),
-        }
+        unit(self.normals.as_ref().map_or(n, |normals| normals.outward * n), scaled)
     }
 }
 
@@ -125,6 +127,7 @@ impl Normals {
     }
 }
 
+#[inline]
 fn unit(n: Vec3, leave: bool) -> Vec3 {
     if leave { n } else { n.normalize_or(n) }
 }
@@ -176,6 +179,7 @@ impl Op {
     }
 }
 
+#[inline]
 fn displace(p: Vec3, t: &scene::Turbulence) -> Vec3 {
     if t.amount == Vec3::ZERO { p } else { p + dturbulence(p, t.octaves, t.omega, t.lambda) * t.amount }
 }
