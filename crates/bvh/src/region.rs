@@ -1,5 +1,5 @@
 //! Convex regions of space, and which boxes reach into them.
-use raggio_math::{Aabb, Vec3};
+use raggio_math::{Aabb, Vec3, Wide, wide};
 
 use crate::node::{Kind, Node, WIDTH};
 use crate::round::{down, up};
@@ -23,38 +23,57 @@ fn child_box(node: &Node, i: usize) -> Aabb {
     Aabb { min: corner(0), max: corner(3) }
 }
 
-impl Region {
-    /// Is the box beyond one of the planes?
-    fn is_beyond(&self, b: &Aabb) -> bool {
-        self.planes.iter().any(|&(normal, distance)| {
-            // The box's corner that is deepest within.
-            let deepest = Vec3::select(normal.cmpgt(Vec3::ZERO), b.min, b.max);
-            let products = normal * deepest;
-            let slack = (products.abs().element_sum() + distance.abs()) * ROUNDING;
-            products.element_sum() - distance > slack
-        })
-    }
+/// Which children of a node reach into a region: a bit each.
+struct Reaching<'a> {
+    region: &'a Region,
+    limits: Limits,
+    node: &'a Node,
+}
 
-    /// Visits the children of a node that reach into the region.
-    #[inline]
-    fn children(&self, (min, max): ([f32; 3], [f32; 3]), node: &Node, mut visit: impl FnMut(usize, &Aabb)) {
+/// The corners of a region's box, rounded outwards.
+type Limits = ([f32; 3], [f32; 3]);
+
+impl Wide for Reaching<'_> {
+    type Output = u8;
+
+    #[inline(always)]
+    fn run(self) -> u8 {
+        let (bounds, (min, max)) = (&self.node.bounds, self.limits);
         let mut outside = [false; WIDTH];
         for k in 0..3 {
-            for (i, out) in outside.iter_mut().enumerate() {
-                let (lo, hi) = (node.bounds[k][i], node.bounds[k + 3][i]);
+            for i in 0..WIDTH {
+                let (lo, hi) = (bounds[k][i], bounds[k + 3][i]);
                 // A place without a box reaches nowhere, not even into all of space.
-                *out |= !(lo <= hi && lo <= max[k] && min[k] <= hi);
+                outside[i] |= !((lo <= hi) & (lo <= max[k]) & (min[k] <= hi));
             }
         }
-        for i in (0..WIDTH).filter(|&i| !outside[i]) {
-            let b = child_box(node, i);
-            if !self.is_beyond(&b) {
-                visit(i, &b);
+        for &(normal, distance) in &self.region.planes {
+            // The boxes' corners that are deepest within.
+            let [x, y, z] = [0, 1, 2].map(|k| if normal[k] > 0.0 { &bounds[k] } else { &bounds[k + 3] });
+            for i in 0..WIDTH {
+                let (x, y, z) =
+                    (normal.x * f64::from(x[i]), normal.y * f64::from(y[i]), normal.z * f64::from(z[i]));
+                let slack = (x.abs() + y.abs() + z.abs() + distance.abs()) * ROUNDING;
+                outside[i] |= x + y + z - distance > slack;
             }
+        }
+        outside.iter().enumerate().fold(0, |reaching, (i, &out)| reaching | u8::from(!out) << i)
+    }
+}
+
+impl Region {
+    /// Visits the children of a node that reach into the region.
+    #[inline]
+    fn children(&self, limits: Limits, node: &Node, mut visit: impl FnMut(usize, &Aabb)) {
+        let mut reaching = wide(Reaching { region: self, limits, node });
+        while reaching != 0 {
+            let i = reaching.trailing_zeros() as usize;
+            reaching &= reaching - 1;
+            visit(i, &child_box(node, i));
         }
     }
 
-    fn limits(&self) -> ([f32; 3], [f32; 3]) {
+    fn limits(&self) -> Limits {
         (self.bounds.min.to_array().map(down), self.bounds.max.to_array().map(up))
     }
 }

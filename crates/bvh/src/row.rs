@@ -34,20 +34,37 @@ pub struct Touch {
 /// Entries are not rounded down; this share makes up for it.
 const SLACK: f64 = 1e-6;
 
+impl Default for BoxRow {
+    fn default() -> Self {
+        BoxRow { node: Node::EMPTY, simd: simd_available() }
+    }
+}
+
 impl BoxRow {
     /// The most boxes in a row.
     pub const MOST: usize = WIDTH;
 
     /// A row of the first [`BoxRow::MOST`] of some boxes.
     pub fn new(boxes: &[Aabb]) -> Self {
-        let mut node = Node::EMPTY;
-        for (i, b) in boxes.iter().take(WIDTH).enumerate().filter(|(_, b)| !b.is_empty()) {
+        let mut row = BoxRow::default();
+        boxes.iter().take(WIDTH).enumerate().for_each(|(place, b)| row.put(place, b));
+        row
+    }
+
+    /// Puts a box at a place where there is none yet.
+    #[inline]
+    pub fn put(&mut self, place: usize, b: &Aabb) {
+        if !b.is_empty() {
             for k in 0..3 {
-                node.bounds[k][i] = down(b.min[k]);
-                node.bounds[k + 3][i] = up(b.max[k]);
+                self.node.bounds[k][place] = down(b.min[k]);
+                self.node.bounds[k + 3][place] = up(b.max[k]);
             }
         }
-        BoxRow { node, simd: simd_available() }
+    }
+
+    /// Takes all boxes out.
+    pub fn clear(&mut self) {
+        self.node = Node::EMPTY;
     }
 
     /// The boxes that the ray touches within the range, whose start is taken to be at least 0. Rays with an infinite
@@ -92,6 +109,13 @@ impl Touched {
         self.mask &= !(1 << first);
         let range = (f64::from(self.near[first]) * (1.0 - SLACK), far.min(f64::from(self.far[first])));
         (range.0 <= far).then_some(Touch { place: first, range })
+    }
+
+    /// Leaves out a place; says whether its box was among those left.
+    #[inline]
+    pub fn take(&mut self, place: usize) -> bool {
+        let rest = self.mask & !(1 << place);
+        std::mem::replace(&mut self.mask, rest) != rest
     }
 
     /// The places of all boxes touched, in their order in the row.

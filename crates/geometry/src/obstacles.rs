@@ -63,33 +63,30 @@ impl Geometry {
         }
         let way = Way { probe: &Probe::new(ray), range, gap };
         let mut scratch = Scratch::default();
-        let stands = |m: &u32| match standing {
-            Standing::Anything => (*m as usize) < self.world.members.len(),
-            Standing::Listed(list) => list.holds(*m),
-        };
-        let tried = guess.member.filter(stands);
-        if tried.is_some_and(|member| self.member_stops(member, &way, &mut scratch, obstacles)) {
-            return true;
-        }
-        let mut ask = |member: u32| {
-            let stopped = tried != Some(member) && self.member_stops(member, &way, &mut scratch, obstacles);
-            if stopped {
-                guess.member = Some(member);
-            }
-            stopped
-        };
+        let mut ask = |member: u32| self.member_stops(member, &way, &mut scratch, obstacles);
         match standing {
             Standing::Anything => {
-                let mut stopped = false;
+                let tried = guess.member.filter(|&member| (member as usize) < self.world.members.len());
+                if tried.is_some_and(&mut ask) {
+                    return true;
+                }
+                guess.member = None;
                 self.world.surfaces.closest(way.probe, range, |member, _, _| {
-                    stopped = ask(member);
+                    let stopped = tried != Some(member) && ask(member);
+                    guess.member = stopped.then_some(member);
                     stopped.then_some(ENOUGH)
                 });
-                stopped
+                guess.member.is_some()
             }
             Standing::Listed(list) => {
                 let mut touched = list.boxes.touched(&way.probe.slab, range);
-                std::iter::from_fn(|| touched.next(range.1)).any(|touch| ask(list.member(touch.place)))
+                let tried = guess.member.and_then(|member| list.place(member));
+                let tried = tried.filter(|&place| touched.take(place));
+                let rest = std::iter::from_fn(|| Some(touched.next(range.1)?.place));
+                let mut members = tried.into_iter().chain(rest).map(|place| list.member(place));
+                let stopper = members.find(|&member| ask(member));
+                guess.member = stopper.or(guess.member);
+                stopper.is_some()
             }
         }
     }

@@ -26,6 +26,7 @@ const MOST_PARTS: usize = 4;
 const MARGIN: f64 = 1e-9;
 
 /// Simple things that may stand in the way of rays from a point.
+#[derive(Default)]
 pub struct Screen {
     parts: SmallVec<[Part; 4]>,
     /// Where the parts of each solid end. What all parts of a solid contain is the solid.
@@ -93,21 +94,29 @@ impl Meeting {
 }
 
 impl Geometry {
-    /// What simple things of those standing in front of a light can be asked for many rays at once; `None` where that is
-    /// not worth it. `stops` says whether a leaf lets no light through.
-    pub fn screen(&self, standing: &Standing, p: Vec3, stops: impl Fn(u32) -> bool) -> Option<Screen> {
-        let Standing::Listed(list) = standing else { return None };
-        let mut screen = Screen { parts: SmallVec::new(), ends: SmallVec::new(), complete: true };
+    /// What simple things of those standing in front of a light can be asked for many rays at once, put into `screen`;
+    /// false where that is not worth it. `stops` says whether a leaf lets no light through.
+    pub fn screen(
+        &self,
+        standing: &Standing,
+        p: Vec3,
+        stops: impl Fn(u32) -> bool,
+        screen: &mut Screen,
+    ) -> bool {
+        let Standing::Listed(list) = standing else { return false };
+        screen.parts.clear();
+        screen.ends.clear();
+        screen.complete = true;
         for &member in list.members() {
             let known = screen.parts.len();
-            if !self.tree.add_solid(self.world.members[member as usize].node, p, &stops, &mut screen) {
+            if !self.tree.add_solid(self.world.members[member as usize].node, p, &stops, screen) {
                 screen.parts.truncate(known);
                 screen.complete = false;
                 continue;
             }
             screen.ends.push(screen.parts.len());
         }
-        (!screen.ends.is_empty()).then_some(screen)
+        !screen.ends.is_empty()
     }
 }
 
@@ -415,6 +424,7 @@ mod tests {
     fn verdicts_agree_with_single_rays() {
         let (geometry, near) = (things(), 1e-3);
         let (mut stopped, mut free) = (0, 0);
+        let mut screen = Screen::default();
         for i in 0..400 {
             let p =
                 (Vec3::new(3.0, 11.0, 17.0) * (f64::from(i) * 0.37)).map(f64::cos) * Vec3::new(4.0, 1.9, 4.0);
@@ -423,7 +433,9 @@ mod tests {
             let patch = corners.map(|(x, z)| light + Vec3::new(x, 0.0, z));
             let shaft = Shaft::new(p, patch, 0.999 * near).expect("a shaft");
             let standing = geometry.standing_in(&shaft, RayClass::Shadow);
-            let Some(screen) = geometry.screen(&standing, p, |_| true) else { continue };
+            if !geometry.screen(&standing, p, |_| true, &mut screen) {
+                continue;
+            }
             let at = |k: usize| light + Vec3::new(0.25 * k as f64 - 0.875, 0.0, (k as f64).sin());
             let targets = [0, 1, 2].map(|axis| std::array::from_fn(|k| (at(k) - p)[axis]));
             let verdict = screen.verdict(&targets, near);

@@ -20,14 +20,17 @@ pub struct Shaft {
 }
 
 /// What may stand in a shaft.
+#[derive(Default)]
 pub enum Standing {
     /// Too much to be listed, or unknown.
+    #[default]
     Anything,
     /// These and nothing else.
     Listed(Box<List>),
 }
 
 /// Members of the world by number, with their boxes.
+#[derive(Default)]
 pub struct List {
     members: SmallVec<[u32; BoxRow::MOST]>,
     pub(crate) boxes: BoxRow,
@@ -104,8 +107,8 @@ impl List {
         self.members[place]
     }
 
-    pub(crate) fn holds(&self, member: u32) -> bool {
-        self.members.contains(&member)
+    pub(crate) fn place(&self, member: u32) -> Option<usize> {
+        self.members.iter().position(|&m| m == member)
     }
 }
 
@@ -117,28 +120,36 @@ impl Geometry {
 
     /// What may stand in a shaft in the way of rays of a class.
     pub fn standing_in(&self, shaft: &Shaft, class: RayClass) -> Standing {
-        let mut members = SmallVec::new();
-        let mut boxes: SmallVec<[Aabb; BoxRow::MOST]> = SmallVec::new();
+        let mut standing = Standing::Anything;
+        self.find_standing(shaft, class, &mut standing);
+        standing
+    }
+
+    /// The same, into memory that was used before.
+    pub fn find_standing(&self, shaft: &Shaft, class: RayClass, standing: &mut Standing) {
+        let mut list = match std::mem::take(standing) {
+            Standing::Listed(list) => list,
+            Standing::Anything => Box::default(),
+        };
+        list.members.clear();
+        list.boxes.clear();
         let mut too_many = false;
         self.world.surfaces.within(&shaft.region, |index, b| {
             let member = self.world.members[index as usize];
             if member.skip & class.bit() != 0 || self.tree.misses(member.node, shaft) {
                 return false;
             }
-            too_many = members.len() == BoxRow::MOST;
+            too_many = list.members.len() == BoxRow::MOST;
             if !too_many {
-                members.push(index);
-                boxes.push(*b);
+                list.boxes.put(list.members.len(), b);
+                list.members.push(index);
             }
             too_many
         });
-        match too_many {
-            true => Standing::Anything,
-            false => {
-                let leaf = |&m: &u32| self.world.members[m as usize].node.is_leaf();
-                let bare = members.len() <= BARE && members.iter().all(leaf);
-                Standing::Listed(Box::new(List { members, boxes: BoxRow::new(&boxes), bare }))
-            }
+        if !too_many {
+            let leaf = |&m: &u32| self.world.members[m as usize].node.is_leaf();
+            list.bare = list.members.len() <= BARE && list.members.iter().all(leaf);
+            *standing = Standing::Listed(list);
         }
     }
 }

@@ -193,3 +193,55 @@ fn a_macro_behind_a_declared_texture_sees_it() {
         matches!(&object(text).texture.as_ref().expect("a texture").item.kind, TextureKind::Layers(l) if l.len() == 1)
     );
 }
+
+/// Filter and transmit of the layers of a sphere with these textures.
+#[track_caller]
+fn passes(text: &str) -> Vec<(f32, f32)> {
+    let o = object(text);
+    let Some(TextureKind::Layers(layers)) = o.texture.as_ref().map(|t| &t.item.kind) else { panic!("{o:?}") };
+    let color = |layer: &Layer| match layer.pigment.kind {
+        PigmentKind::Solid(c) => (c.filter, c.transmit),
+        ref other => panic!("{other:?}"),
+    };
+    layers.iter().map(color).collect()
+}
+
+#[test]
+fn upper_layers_do_not_tint_up_to_version_3_1() {
+    let one = "texture { pigment { rgbft <1, 0, 0, 0.5, 0.25> } }";
+    let layers = |version: &str| passes(&format!("#version {version}; sphere {{ 0, 1 {one} {one} }}"));
+    assert_eq!(layers("3.1"), [(0.5, 0.25), (0.0, 0.75)]);
+    assert_eq!(layers("3.2"), [(0.5, 0.25), (0.5, 0.25)]);
+    let used = |version: &str| {
+        passes(&format!(
+            "#version 3.7; #declare T = {one} {one} #version {version}; sphere {{ 0, 1 texture {{ T }} }}"
+        ))
+    };
+    assert_eq!(used("3.1"), layers("3.1"));
+    assert_eq!(used("3.7"), layers("3.7"));
+}
+
+#[test]
+fn frequency_in_an_old_texture_is_that_of_the_normal() {
+    let frequencies = |words: &str| {
+        let layer = layer("#version 1.0;", &format!("texture {{ {words} }}"));
+        let PigmentKind::ColorMap { pattern, .. } = &layer.pigment.kind else { panic!("{layer:?}") };
+        let normal = layer.normal.map(|n| match &n.kind {
+            NormalKind::Special { settings, .. } => settings.frequency,
+            other => panic!("{other:?}"),
+        });
+        (pattern.frequency, normal)
+    };
+    assert_eq!(frequencies("wood ripples 0.7 frequency 3"), (1.0, Some(3.0)));
+    assert_eq!(frequencies("frequency 3 waves 0.7 wood"), (1.0, Some(3.0)));
+    assert_eq!(frequencies("wood frequency 3"), (1.0, None));
+}
+
+#[test]
+fn a_light_source_takes_the_name_of_any_object() {
+    let lamp = "#declare L = union { light_source { 0, rgb 1 } sphere { 0, 1 } }";
+    let o = object(&format!("{lamp} light_source {{ L translate x }}"));
+    assert!(matches!(o.kind, raggio_scene::ObjectKind::Csg { .. }));
+    assert_eq!(o.parent_from_object.translation, Vec3::X);
+    assert_eq!(run(&format!("{lamp} light_source {{ L shadowless }}")).error(), "unexpected");
+}

@@ -2,8 +2,13 @@
 //! a power for every channel of every pixel.
 use super::dither::rounded;
 
-/// Parts of 0..=1 that know where to begin.
-const PARTS: usize = 1024;
+/// Bits of a number that do not tell its part of 0..=1: an octave has 256 parts, so that of the usual curves none has more
+/// than one step.
+const REST: u32 = 15;
+/// The part of 2^-20; what is below belongs to it.
+const LOWEST: u32 = ((127 - 20) << 23) >> REST;
+/// Parts that know where to begin; the last begins at 1.
+const PARTS: usize = ((127 << 23) >> REST) as usize - LOWEST as usize + 1;
 
 /// The values at which the encoded byte changes.
 pub(super) struct Steps {
@@ -21,9 +26,8 @@ impl Steps {
             *least = least_value(|v| usize::from(rounded(encode(v), 255.0)) >= byte);
         }
         let mut start = Box::new([0; PARTS]);
-        for (i, start) in start.iter_mut().enumerate() {
-            // Rounding may put a value slightly below its part.
-            let v = (i as f32 / PARTS as f32) * (1.0 - 1e-6);
+        for (part, start) in (LOWEST..).zip(start.iter_mut()).skip(1) {
+            let v = f32::from_bits(part << REST);
             *start = least[1..256].partition_point(|&l| l <= v) as u8;
         }
         Steps { least, start }
@@ -32,8 +36,11 @@ impl Steps {
     /// The byte of a value. A NaN becomes 0.
     #[inline]
     pub fn byte(&self, v: f32) -> u8 {
-        let v = if v > 1.0 { 1.0 } else { v };
-        let mut byte = usize::from(self.start[((v * PARTS as f32) as usize).min(PARTS - 1)]);
+        let v = if v > 0.0 { v.min(1.0) } else { 0.0 };
+        let part = (v.to_bits() >> REST).saturating_sub(LOWEST) as usize;
+        let mut byte = usize::from(self.start[part.min(PARTS - 1)]);
+        // Whether there is a step is anybody's guess, whether there are two is not.
+        byte += usize::from(v >= self.least[byte + 1]);
         while v >= self.least[byte + 1] {
             byte += 1;
         }

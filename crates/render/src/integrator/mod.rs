@@ -140,7 +140,7 @@ pub struct Tracer<'w> {
     way: f64,
     /// Light that arrives at the surface points in work, by light, each once for all layers.
     arriving: Vec<Option<Rgb>>,
-    pub(crate) area_scratch: AreaScratch,
+    pub(crate) area_scratch: Option<Box<AreaScratch>>,
     /// What last stood before each light.
     pub(crate) blockers: Vec<BlockerGuess>,
     /// Where the stack stood at first, and how much of it may be used: rays that pass straight through count for no
@@ -165,7 +165,7 @@ impl<'w> Tracer<'w> {
             pixel: PixelCone::default(),
             way: 0.0,
             arriving: Vec::new(),
-            area_scratch: AreaScratch::default(),
+            area_scratch: None,
             blockers: vec![BlockerGuess::default(); world.lights.len()],
             stack_base: stack_position(),
             stack_allowance,

@@ -1,7 +1,7 @@
 //! Area lights: the grid of samples and its recursive average (light spec, section 5.3).
-use raggio_geometry::{Lanes, RAYS, Screen, Verdict};
+use raggio_geometry::{Lanes, RAYS, Screen, Standing, Verdict};
 use raggio_image::Rgb;
-use raggio_math::Vec3;
+use raggio_math::{Vec3, Wide, wide};
 use raggio_scene as scene;
 
 use super::LightSource;
@@ -12,7 +12,7 @@ use crate::sampling::Stream;
 const MOST: u32 = 4096;
 
 /// The most samples of a light whose places are worked out before.
-const MOST_FIXED: u32 = 1 << 16;
+const MOST_KNOWN: u32 = 1 << 16;
 
 /// The samples of an area light.
 pub struct AreaGrid {
@@ -28,8 +28,14 @@ pub struct AreaGrid {
     pub jitter: bool,
     circular: bool,
     orient: bool,
-    /// Where the grid's points lie along the axes, where that is always the same; rows along the first axis.
-    fixed: Vec<(f64, f64)>,
+    /// Where the grid's points lie along the axes, where that is always the same, otherwise their columns and rows;
+    /// rows along the first axis.
+    known: Vec<(f64, f64)>,
+    /// The grid's points in the order in which they are asked if none stands out, level by level: as many as are looked
+    /// at together lie close to each other. Empty stands for the order of numbers.
+    order: Vec<u32>,
+    /// By grid point: its place in that order.
+    places: Vec<u32>,
     /// Does every sample light the surface by its own direction?
     pub illumination: bool,
     /// Do photons leave from all of it?
@@ -43,24 +49,30 @@ impl AreaGrid {
     pub fn new(area: &scene::AreaLight) -> AreaGrid {
         let (size1, size2) = (area.size1.clamp(1, MOST), area.size2.clamp(1, MOST));
         let adaptive = area.adaptive.unwrap_or(100);
+        let order = order([size1, size2], adaptive);
         let mut grid = AreaGrid {
             axis1: area.axis1,
             axis2: area.axis2,
             size1,
             size2,
             adaptive,
-            open_samples: open_samples([size1, size2], adaptive),
+            open_samples: order.1,
             jitter: area.jitter,
             circular: (area.circular || area.orient) && area.size1 > 1 && area.size2 > 1,
             orient: area.orient,
-            fixed: Vec::new(),
+            known: Vec::new(),
+            order: Vec::new(),
+            places: Vec::new(),
             illumination: area.area_illumination,
             photons: area.photons_area,
         };
-        if !grid.jitter && grid.size1 * grid.size2 <= MOST_FIXED {
-            let cells =
-                (0..grid.size2).flat_map(|v| (0..grid.size1).map(move |u| (f64::from(u), f64::from(v))));
-            grid.fixed = cells.map(|(u, v)| grid.place(u, v)).collect();
+        if grid.samples() <= MOST_KNOWN {
+            grid.known = (0..grid.samples()).map(|cell| grid.unmoved(cell)).collect();
+            grid.places = vec![0; order.0.len()];
+            for (place, &cell) in order.0.iter().enumerate() {
+                grid.places[cell as usize] = place as u32;
+            }
+            grid.order = order.0;
         }
         grid
     }
@@ -107,22 +119,31 @@ impl AreaGrid {
 
     /// Where a grid point, counted along the first axis first, lies from the light's centre.
     pub fn offset(&self, axes: (Vec3, Vec3), cell: u32, random: &Stream) -> Vec3 {
-        if let Some(&(s, t)) = self.fixed.get(cell as usize) {
-            return axes.0 * s + axes.1 * t;
-        }
-        let (mut u, mut v) = (f64::from(cell % self.size1), f64::from(cell / self.size1));
-        if self.jitter {
-            let mut random = *random;
-            random.skip(2 * cell);
-            u += random.next() - 0.5;
-            v += random.next() - 0.5;
-        }
-        let (s, t) = self.place(u, v);
+        let (u, v) = self.raw_spot(cell, random);
+        let (s, t) = if self.jitter { self.place(u, v) } else { (u, v) };
         axes.0 * s + axes.1 * t
     }
 
-    /// Where along the axes a point of the grid lies.
+    /// Where a grid point lies along the axes, or with jitter: its column and row so moved.
     #[inline]
+    fn raw_spot(&self, cell: u32, random: &Stream) -> (f64, f64) {
+        let (u, v) = self.known.get(cell as usize).copied().unwrap_or_else(|| self.unmoved(cell));
+        if !self.jitter {
+            return (u, v);
+        }
+        let mut random = *random;
+        random.skip(2 * cell);
+        (u + (random.next() - 0.5), v + (random.next() - 0.5))
+    }
+
+    /// The same without jitter.
+    fn unmoved(&self, cell: u32) -> (f64, f64) {
+        let (u, v) = (f64::from(cell % self.size1), f64::from(cell / self.size1));
+        if self.jitter { (u, v) } else { self.place(u, v) }
+    }
+
+    /// Where along the axes a point of the grid lies.
+    #[inline(always)]
     fn place(&self, u: f64, v: f64) -> (f64, f64) {
         let place = |k: f64, n: u32| if n > 1 { k / f64::from(n - 1) - 0.5 } else { 0.0 };
         let (s, t) = (place(u, self.size1), place(v, self.size2));
@@ -143,6 +164,10 @@ pub struct AreaScratch {
     cells: Vec<(u32, Rgb)>,
     /// What is known at once of as many grid points in a row.
     rows: Vec<(u32, Verdict)>,
+    /// What may stand between the point and the light.
+    pub standing: Standing,
+    /// The simple things among that.
+    pub screen: Screen,
 }
 
 impl AreaScratch {
@@ -168,8 +193,8 @@ pub struct View<'a> {
     pub p: Vec3,
     /// The direction to the light's centre.
     pub to_light: Vec3,
-    /// Simple things in the way.
-    pub screen: Option<Screen>,
+    /// Are simple things in the way, which the memory holds?
+    pub screened: bool,
     /// The light where nothing stops it.
     pub open: Rgb,
     /// Where the random numbers are.
@@ -178,10 +203,17 @@ pub struct View<'a> {
 
 impl View<'_> {
     /// The mean light: `shadowed` answers for one point of the light.
-    pub fn average(&self, scratch: &mut AreaScratch, mut shadowed: impl FnMut(Vec3) -> Rgb) -> Rgb {
+    pub fn average(
+        &self,
+        scratch: &mut AreaScratch,
+        mut shadowed: impl FnMut(Vec3, &Standing) -> Rgb,
+    ) -> Rgb {
         let grid = self.grid;
         scratch.begin(grid.samples() as usize);
         let axes = grid.axes(self.to_light);
+        if let Some(light) = self.alike(axes, scratch) {
+            return light;
+        }
         let mut corner = |u: u32, v: u32| {
             let cell = v * grid.size1 + u;
             let known = &scratch.cells[cell as usize];
@@ -191,7 +223,9 @@ impl View<'_> {
             let value = match self.at_once(axes, cell, scratch) {
                 Some(true) => self.open,
                 Some(false) => Rgb::ZERO,
-                None => shadowed(self.light.position + grid.offset(axes, cell, &self.random)),
+                None => {
+                    shadowed(self.light.position + grid.offset(axes, cell, &self.random), &scratch.standing)
+                }
             };
             scratch.cells[cell as usize] = (scratch.stamp, value);
             value
@@ -199,16 +233,44 @@ impl View<'_> {
         divide(&mut corner, [0, 0], [grid.size1 - 1, grid.size2 - 1], 0, grid.adaptive)
     }
 
+    /// The light, if it plainly arrives from all points that are asked anyway, or from none of them.
+    fn alike(&self, axes: (Vec3, Vec3), scratch: &mut AreaScratch) -> Option<Rgb> {
+        if !self.screened {
+            return None;
+        }
+        let (mut free, mut stopped) = (true, true);
+        let open = self.grid.open_samples as usize;
+        for row in 0..open.div_ceil(RAYS) {
+            let asked = ((1 << (open - row * RAYS).min(RAYS)) - 1) as u8;
+            let verdict = self.verdict(axes, row, scratch);
+            free &= verdict.free & asked == asked;
+            stopped &= verdict.stopped & asked == asked;
+            if !free && !stopped {
+                return None;
+            }
+        }
+        Some(if free { self.open } else { Rgb::ZERO })
+    }
+
+    /// What is known at once of a row of grid points.
+    #[inline]
+    fn verdict(&self, axes: (Vec3, Vec3), row: usize, scratch: &mut AreaScratch) -> Verdict {
+        let known = &mut scratch.rows[row];
+        if known.0 != scratch.stamp {
+            *known = (scratch.stamp, scratch.screen.verdict(&self.row(axes, row), SHADOW_TOLERANCE));
+        }
+        known.1
+    }
+
     /// Does the light of a grid point arrive, if that is clear? Grid points are looked at in rows.
     #[inline]
     fn at_once(&self, axes: (Vec3, Vec3), cell: u32, scratch: &mut AreaScratch) -> Option<bool> {
-        let screen = self.screen.as_ref()?;
-        let (row, bit) = (cell as usize / RAYS, 1 << (cell as usize % RAYS));
-        let known = &mut scratch.rows[row];
-        if known.0 != scratch.stamp {
-            *known = (scratch.stamp, screen.verdict(&self.row(axes, row), SHADOW_TOLERANCE));
+        if !self.screened {
+            return None;
         }
-        let verdict = known.1;
+        let place = self.grid.places.get(cell as usize).map_or(cell, |&place| place) as usize;
+        let (row, bit) = (place / RAYS, 1 << (place % RAYS));
+        let verdict = self.verdict(axes, row, scratch);
         match (verdict.stopped & bit != 0, verdict.free & bit != 0) {
             (false, false) => None,
             (stopped, _) => Some(!stopped),
@@ -217,44 +279,72 @@ impl View<'_> {
 
     /// The points of a row about the surface point; what comes after the last does not matter.
     fn row(&self, axes: (Vec3, Vec3), row: usize) -> [Lanes; 3] {
-        let centre = self.light.position - self.p;
-        let mut points = [[0.0; RAYS]; 3];
-        let mut put = |k: usize, offset: Vec3| {
-            let point = centre + offset;
-            (points[0][k], points[1][k], points[2][k]) = (point.x, point.y, point.z);
-        };
-        let first = (row * RAYS) as u32;
-        let last = self.grid.samples() - 1;
-        if !self.grid.jitter {
-            (0..RAYS)
-                .for_each(|k| put(k, self.grid.offset(axes, (first + k as u32).min(last), &self.random)));
-            return points;
-        }
-        let mut random = self.random;
-        random.skip(2 * first);
-        let (mut u, mut v) = (first % self.grid.size1, first / self.grid.size1);
+        let (grid, first) = (self.grid, row * RAYS);
+        let last = grid.samples() as usize - 1;
+        let mut spots = Spots { view: self, axes, u: [0.0; RAYS], v: [0.0; RAYS] };
         for k in 0..RAYS {
-            let (du, dv) = (random.next() - 0.5, random.next() - 0.5);
-            let (s, t) = self.grid.place(f64::from(u) + du, f64::from(v) + dv);
-            put(k, axes.0 * s + axes.1 * t);
-            u += 1;
-            if u == self.grid.size1 {
-                (u, v) = (0, v + 1);
+            let place = (first + k).min(last);
+            let cell = grid.order.get(place).map_or(place as u32, |&cell| cell);
+            (spots.u[k], spots.v[k]) = grid.raw_spot(cell, &self.random);
+        }
+        wide(spots)
+    }
+}
+
+/// Points of the grid, as [`AreaGrid::raw_spot`] has them.
+struct Spots<'a> {
+    view: &'a View<'a>,
+    axes: (Vec3, Vec3),
+    u: Lanes,
+    v: Lanes,
+}
+
+impl Wide for Spots<'_> {
+    /// The same points about the surface point.
+    type Output = [Lanes; 3];
+
+    #[inline(always)]
+    fn run(self) -> [Lanes; 3] {
+        let Spots { view, axes: (axis1, axis2), mut u, mut v } = self;
+        if view.grid.jitter {
+            for k in 0..RAYS {
+                (u[k], v[k]) = view.grid.place(u[k], v[k]);
+            }
+        }
+        let centre = view.light.position - view.p;
+        let mut points = [[0.0; RAYS]; 3];
+        for (axis, points) in points.iter_mut().enumerate() {
+            for k in 0..RAYS {
+                points[k] = centre[axis] + (axis1[axis] * u[k] + axis2[axis] * v[k]);
             }
         }
         points
     }
 }
 
-/// How many different grid points are asked where all answer alike.
-fn open_samples(size: [u32; 2], adaptive: u32) -> u32 {
+/// Grid points in the order in which they are first asked where all answer alike, level by level, and how many are
+/// asked before answers matter.
+fn order(size: [u32; 2], adaptive: u32) -> (Vec<u32>, u32) {
     let mut asked = vec![false; (size[0] * size[1]) as usize];
-    let mut corner = |u: u32, v: u32| {
-        asked[(v * size[0] + u) as usize] = true;
-        Rgb::ONE
-    };
-    divide(&mut corner, [0, 0], [size[0] - 1, size[1] - 1], 0, adaptive);
-    asked.into_iter().filter(|&a| a).count() as u32
+    let (mut order, mut open) = (Vec::new(), 0);
+    for level in adaptive.. {
+        let before = order.len();
+        let mut corner = |u: u32, v: u32| {
+            let cell = v * size[0] + u;
+            if !std::mem::replace(&mut asked[cell as usize], true) {
+                order.push(cell);
+            }
+            Rgb::ONE
+        };
+        divide(&mut corner, [0, 0], [size[0] - 1, size[1] - 1], 0, level);
+        if level == adaptive {
+            open = order.len() as u32;
+        }
+        if order.len() == before || order.len() == asked.len() {
+            break;
+        }
+    }
+    (order, open)
 }
 
 /// The mean over the rectangle of grid indices from `low` to `high`.
@@ -301,6 +391,20 @@ mod tests {
         assert_eq!(weights(4, 100), [0.25; 4]);
         assert_eq!(weights(5, 100), [0.125, 0.25, 0.25, 0.25, 0.125]);
         assert_eq!(weights(1, 100), [1.0]);
+    }
+
+    #[test]
+    fn the_order_begins_with_what_is_always_asked_and_holds_all() {
+        let (all, open) = order([5, 3], 0);
+        assert_eq!((&all[..4], open), (&[0, 4, 10, 14][..], 4));
+        for (size, adaptive, expected) in
+            [([9, 9], 1, 9), ([9, 9], 2, 25), ([17, 5], 100, 85), ([1, 1], 3, 1)]
+        {
+            let (mut all, open) = order(size, adaptive);
+            all.sort_unstable();
+            assert!(all.into_iter().eq(0..size[0] * size[1]));
+            assert_eq!(open, expected);
+        }
     }
 
     #[test]

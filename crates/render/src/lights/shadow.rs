@@ -8,7 +8,7 @@ use raggio_scene::PhotonFlags;
 use raggio_shading::{Context, Layer};
 use smallvec::SmallVec;
 
-use super::area::{AreaGrid, View};
+use super::area::{AreaGrid, AreaScratch, View};
 use super::{LightSource, Path};
 use crate::integrator::{Interiors, NormalPath, Tracer, copied, fade, for_each_plain, placed, toggle};
 use crate::world::{Passing, World};
@@ -52,18 +52,17 @@ impl Tracer<'_> {
         if source.shadowless && source.projected_through.is_none() {
             return light;
         }
-        match &source.area {
-            Some(grid) if self.quality.area_lights() => {
-                self.after_soft_shadows(source, grid, p, path, light, interiors, collects)
-            }
-            _ => {
-                let standing = source.before(path, &self.world.geometry);
-                self.walk_to_light(source, p, path, light, interiors, collects, standing)
-            }
-        }
+        let Some(grid) = source.area.as_ref().filter(|_| self.quality.area_lights()) else {
+            let standing = source.before(path, &self.world.geometry);
+            return self.walk_to_light(source, p, path, light, interiors, collects, standing);
+        };
+        let mut scratch = self.area_scratch.take().unwrap_or_default();
+        let mean = self.after_soft_shadows(source, grid, p, path, light, interiors, collects, &mut scratch);
+        self.area_scratch = Some(scratch);
+        mean
     }
 
-    /// The mean of what is left of the light of all points of an area light.
+    /// What is left of an area light's light, in the mean.
     #[inline(never)]
     fn after_soft_shadows(
         &mut self,
@@ -74,34 +73,41 @@ impl Tracer<'_> {
         light: Rgb,
         interiors: &Interiors,
         collects: bool,
+        scratch: &mut AreaScratch,
     ) -> Rgb {
-        let standing = self.before_area(source, grid, p, path);
+        self.before_area(source, grid, p, path, &mut scratch.standing);
         let clear = self.is_clear(source);
         let random = self.streams.lights;
         grid.pass_over(&mut self.streams.lights);
-        if clear && matches!(&standing, Standing::Listed(list) if list.is_empty()) {
+        if clear && matches!(&scratch.standing, Standing::Listed(list) if list.is_empty()) {
             return light;
         }
         let world = self.world;
-        let screen = world.geometry.screen(&standing, p, |leaf| world.stops_at(leaf)).filter(|_| clear);
-        let view = View { light: source, grid, p, to_light: path.dir, screen, open: light, random };
-        let mut scratch = std::mem::take(&mut self.area_scratch);
-        let mean = view.average(&mut scratch, |from| {
-            self.walk_to_light(source, p, &source.path_to(p, from), light, interiors, collects, &standing)
-        });
-        self.area_scratch = scratch;
-        mean
+        let stops = |leaf| world.stops_at(leaf);
+        let screened = clear && world.geometry.screen(&scratch.standing, p, stops, &mut scratch.screen);
+        let view = View { light: source, grid, p, to_light: path.dir, screened, open: light, random };
+        view.average(scratch, |from, standing| {
+            self.walk_to_light(source, p, &source.path_to(p, from), light, interiors, collects, standing)
+        })
     }
 
-    /// What may stand between a point and an area light.
-    fn before_area(&self, source: &LightSource, grid: &AreaGrid, p: Vec3, path: &Path) -> Standing {
+    /// Finds what may stand between a point and an area light.
+    fn before_area(
+        &self,
+        source: &LightSource,
+        grid: &AreaGrid,
+        p: Vec3,
+        path: &Path,
+        standing: &mut Standing,
+    ) {
         if source.parallel || source.projected_through.is_some() || grid.open_samples < 4 {
-            return Standing::Anything;
+            *standing = Standing::Anything;
+            return;
         }
         let corners = grid.corners(grid.axes(path.dir)).map(|offset| source.position + offset);
         match Shaft::new(p, corners, 0.999 * SHADOW_TOLERANCE) {
-            Some(shaft) => self.world.geometry.standing_in(&shaft, RayClass::Shadow),
-            None => Standing::Anything,
+            Some(shaft) => self.world.geometry.find_standing(&shaft, RayClass::Shadow, standing),
+            None => *standing = Standing::Anything,
         }
     }
 

@@ -57,7 +57,7 @@ impl Cache {
     /// Adds to `found` what counts at a point.
     pub fn look_up(&self, depth: u32, query: &Query, found: &mut Found) {
         let Some(tree) = self.trees.get(depth as usize) else { return };
-        tree.visit(query.p, query.error, &mut |sample| {
+        tree.visit(query, &mut |sample| {
             let weight = sample.weight(query);
             if weight > 1e-3 {
                 let weight = weight as f32 * sample.quality;
@@ -138,16 +138,37 @@ struct Node {
     centre: Vec3,
     /// The side, which is half that of the doubled cell.
     side: f64,
+    /// One over a quarter of the side, which is a power of two.
+    per_quarter: f64,
     level: i32,
     index: [i64; 3],
     children: [u32; 8],
     /// Which of them there are, a bit each.
     present: u8,
     samples: Vec<Sample>,
-    /// By sample: where from the middle, and the mean distance. Most samples fail by these alone.
-    places: Vec<[f32; 4]>,
+    /// By sample: what most of them fail by.
+    outlines: Vec<Outline>,
     /// By sample: the radius in which it counts.
     radii: Vec<f64>,
+}
+
+/// What is asked first of a sample.
+#[derive(Clone, Copy)]
+struct Outline {
+    /// Where from the middle of its cell.
+    place: [f32; 3],
+    /// The mean distance.
+    reach: f32,
+    /// The surface's normal.
+    n: [f32; 3],
+}
+
+/// What outlines are compared with.
+struct Asked {
+    error: f32,
+    n: [f32; 3],
+    /// Normals count that have at least this in common.
+    least_cosine: f32,
 }
 
 /// No child.
@@ -164,32 +185,38 @@ impl Node {
         Node {
             centre,
             side,
+            per_quarter: 4.0 / side,
             level,
             index,
             children: [NONE; 8],
             present: 0,
             samples: Vec::new(),
-            places: Vec::new(),
+            outlines: Vec::new(),
             radii: Vec::new(),
         }
     }
 
     fn push(&mut self, sample: Sample, radius: f64) {
-        let place = (sample.p + SHIFT - self.centre).as_vec3();
-        self.places.push([place.x, place.y, place.z, sample.mean_distance as f32]);
+        self.outlines.push(Outline {
+            place: (sample.p + SHIFT - self.centre).as_vec3().to_array(),
+            reach: sample.mean_distance as f32,
+            n: sample.n.as_vec3().to_array(),
+        });
         self.samples.push(sample);
         self.radii.push(radius);
     }
 
-    /// Visits the samples that may count at a point by their distance.
+    /// Visits the samples that may count at a point by their distance and normal.
     #[inline]
-    fn visit(&self, p: Vec3, error: f64, each: &mut impl FnMut(&Sample)) {
-        let ([x, y, z], error) = ((p - self.centre).as_vec3().to_array(), error as f32);
+    fn visit(&self, p: Vec3, asked: &Asked, each: &mut impl FnMut(&Sample)) {
+        if self.samples.is_empty() {
+            return;
+        }
+        let place = (p - self.centre).as_vec3().to_array();
         // Rounding is far below a thousandth of the cell, in which everything lies.
         let slack = 1e-3 * self.side as f32;
-        for (sample, place) in self.samples.iter().zip(&self.places) {
-            let (dx, dy, dz, reach) = (place[0] - x, place[1] - y, place[2] - z, place[3] * error + slack);
-            if dx * dx + dy * dy + dz * dz < reach * reach {
+        for (sample, outline) in self.samples.iter().zip(&self.outlines) {
+            if outline.may_count(place, slack, asked) {
                 each(sample);
             }
         }
@@ -201,22 +228,44 @@ impl Node {
     }
 
     /// Which children's doubled cells hold the point: a bit each, found without looking at them.
+    #[inline]
     fn reaching(&self, p: Vec3) -> u8 {
-        let offset = (p - self.centre) / (self.side / 4.0);
+        let offset = (p - self.centre) * self.per_quarter;
         // By axis: the children on the upper side, and those on the lower side.
         const UPPER: [u8; 3] = [0b1010_1010, 0b1100_1100, 0b1111_0000];
-        let side = |k: usize| {
-            let upper = if (-1.0..=3.0).contains(&offset[k]) { UPPER[k] } else { 0 };
-            let lower = if (-3.0..=1.0).contains(&offset[k]) { !UPPER[k] } else { 0 };
-            upper | lower
-        };
-        side(0) & side(1) & side(2)
+        let all = |which: bool| 0u8.wrapping_sub(u8::from(which));
+        let side =
+            |x: f64, upper: u8| all(x.abs() <= 3.0) & ((upper & all(x >= -1.0)) | (!upper & all(x <= 1.0)));
+        side(offset.x, UPPER[0]) & side(offset.y, UPPER[1]) & side(offset.z, UPPER[2])
     }
 }
 
 fn index_at(p: Vec3, level: i32) -> [i64; 3] {
     let side = 2f64.powi(level);
     [p.x, p.y, p.z].map(|v| (v / side).floor() as i64)
+}
+
+impl Asked {
+    fn new(query: &Query) -> Asked {
+        // Twice the root of what is missing to a cosine of 1 is to stay below the error.
+        let least = 1.0 - 0.25 * query.error * query.error;
+        Asked {
+            error: query.error as f32,
+            n: query.n.as_vec3().to_array(),
+            least_cosine: least as f32 - 1e-4,
+        }
+    }
+}
+
+impl Outline {
+    #[inline]
+    fn may_count(&self, place: [f32; 3], slack: f32, asked: &Asked) -> bool {
+        let [x, y, z] = self.place;
+        let (dx, dy, dz) = (x - place[0], y - place[1], z - place[2]);
+        let reach = self.reach * asked.error + slack;
+        let cosine = self.n[0] * asked.n[0] + self.n[1] * asked.n[1] + self.n[2] * asked.n[2];
+        (dx * dx + dy * dy + dz * dz < reach * reach) & (cosine > asked.least_cosine)
+    }
 }
 
 impl Octree {
@@ -264,15 +313,15 @@ impl Octree {
     }
 
     /// Visits every sample whose cell may reach the point.
-    fn visit(&self, p: Vec3, error: f64, each: &mut impl FnMut(&Sample)) {
+    fn visit(&self, query: &Query, each: &mut impl FnMut(&Sample)) {
         if self.nodes.is_empty() {
             return;
         }
-        let p = p + SHIFT;
+        let (p, asked) = (query.p + SHIFT, Asked::new(query));
         let mut stack: smallvec::SmallVec<[u32; 64]> = smallvec::smallvec![self.root];
         while let Some(top) = stack.pop() {
             let node = &self.nodes[top as usize];
-            node.visit(p, error, each);
+            node.visit(p, &asked, each);
             let mut reaching = node.present & node.reaching(p);
             while reaching != 0 {
                 stack.push(node.children[reaching.trailing_zeros() as usize]);
@@ -320,7 +369,8 @@ mod tests {
         for _ in 0..300 {
             let p = Vec3::new(random(), random(), random()) * 100.0;
             let mut found = Vec::new();
-            tree.visit(p, 5.0, &mut |s| found.push(s.p));
+            let query = Query { p, n: Vec3::Y, error: 5.0, sharp: false };
+            tree.visit(&query, &mut |s| found.push(s.p));
             for (q, radius) in &all {
                 assert!((*q - p).length() > *radius || found.contains(q));
             }

@@ -25,6 +25,8 @@ struct Draft {
     wrote_frame: bool,
     wrote_angle: bool,
     copied: bool,
+    /// Before version 3.5 every word acts at once.
+    in_order: bool,
     smooth: bool,
 }
 
@@ -65,6 +67,7 @@ impl Draft {
             wrote_frame: false,
             wrote_angle: false,
             copied: false,
+            in_order: false,
             smooth: false,
         }
     }
@@ -82,7 +85,9 @@ impl Draft {
         if let Some(point) = self.focal_point.take() {
             self.blur.focal_distance = (point - self.camera.location).length();
         }
-        self.scale_orthographic();
+        if !self.in_order {
+            self.scale_orthographic();
+        }
         transform(&mut self.camera, &t);
         Ok(())
     }
@@ -144,11 +149,16 @@ impl Draft {
 
     /// An orthographic view without a frame of its own shows what a perspective one would at the point looked at.
     fn scale_orthographic(&mut self) {
-        let camera = &mut self.camera;
+        let camera = &self.camera;
         let wanted = self.wrote_angle || !self.wrote_frame;
-        if self.copied || !wanted || !matches!(camera.kind, CameraKind::Orthographic) {
-            return;
+        if !self.copied && wanted && matches!(camera.kind, CameraKind::Orthographic) {
+            self.fit_orthographic();
         }
+    }
+
+    /// Makes the frame as large as a perspective view is at the point looked at.
+    fn fit_orthographic(&mut self) {
+        let camera = &mut self.camera;
         let k = (self.aim - camera.location).length() / camera.direction.length();
         if camera.right.length() > EPS && camera.up.length() > EPS && k.is_finite() {
             camera.right *= k;
@@ -177,16 +187,16 @@ pub fn transform(camera: &mut Camera, t: &Affine) {
     }
 }
 
-/// `{ ... }` of a camera; the word has been read. Below version 3.5 words act in the order written, and a second camera
-/// goes on where the first has ended.
+/// `{ ... }` of a camera; the word has been read. Below version 3.5 words act in the order written
+/// (`orthographic` sizes the frame as it is then), and a second camera goes on where the first has ended.
 pub fn block(p: &mut Parser) -> Result<Camera> {
     let in_order = p.settings.version.language < 350;
     let before = if in_order { p.scene.camera.clone() } else { None };
     let base = before.unwrap_or_else(|| p.defaults.camera.as_deref().cloned().unwrap_or_else(plain));
-    let mut draft = Draft::new(base);
+    let mut draft = Draft { in_order, ..Draft::new(base) };
     p.block("camera", |p| {
         let known = item(p, &mut draft)?;
-        if in_order && !matches!(draft.camera.kind, CameraKind::Orthographic) {
+        if in_order {
             draft.act(p)?;
         }
         Ok(known)
@@ -200,8 +210,8 @@ fn item(p: &mut Parser, draft: &mut Draft) -> Result<bool> {
         return Ok(true);
     }
     if p.peek()? == Tok::Value(Kind::Camera) {
-        *draft = Draft::new((*take!(p, Camera)).clone());
-        draft.copied = true;
+        let copy = Draft::new((*take!(p, Camera)).clone());
+        *draft = Draft { copied: true, in_order: draft.in_order, ..copy };
         return Ok(true);
     }
     let Some(key) = word(p)? else { return p.accept_punct(',') };
@@ -215,6 +225,9 @@ fn item(p: &mut Parser, draft: &mut Draft) -> Result<bool> {
             }
             kind => kind,
         };
+        if draft.in_order && key == Kw::Orthographic {
+            draft.fit_orthographic();
+        }
         return Ok(true);
     }
     if key == Kw::Mesh_camera {

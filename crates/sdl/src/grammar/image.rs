@@ -110,7 +110,7 @@ pub fn source(p: &mut Parser) -> Result<Source> {
 
 /// Very old scenes put a vector or a map type before the file's type; it has no meaning any more.
 fn old_orientation(p: &mut Parser) -> Result<()> {
-    if p.peek()? == Tok::Punct('<') {
+    if matches!(p.peek()?, Tok::Punct('<') | Tok::Number(_)) {
         let span = p.span();
         p.tuple()?;
         p.comma()?;

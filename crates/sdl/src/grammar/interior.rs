@@ -57,6 +57,9 @@ fn item(p: &mut Parser, i: &mut Interior) -> Result<bool> {
     }
 }
 
+/// What the interior's `caustics` are multiplied by before they are a power; those of a finish are one.
+const CAUSTICS: f32 = 45.0;
+
 /// Carries the interior words of an old finish to the interior, if the outermost layer has some.
 pub fn adopt_legacy(texture: &Texture, interior: &mut Option<Placed<Interior>>) {
     let TextureKind::Layers(layers) = &texture.kind else { return };
@@ -69,7 +72,7 @@ pub fn adopt_legacy(texture: &Texture, interior: &mut Option<Placed<Interior>>) 
     let placed = interior.get_or_insert_with(|| Placed::new(made()));
     let new = Arc::make_mut(&mut placed.item);
     new.ior = ior.unwrap_or(new.ior);
-    new.caustics = caustics.unwrap_or(new.caustics);
+    new.caustics = caustics.map_or(new.caustics, |power| power / CAUSTICS);
     new.old_refraction = refraction.unwrap_or(new.old_refraction);
 }
 

@@ -18,7 +18,7 @@ struct Draft {
     photons_area: bool,
 }
 
-/// `light_source { location, color modifiers }`
+/// `light_source { location, color modifiers }`; the name of any object may stand there, and then its modifiers.
 pub fn light_source(p: &mut Parser) -> Result<Object> {
     let (mut object, mut draft) = (None, Draft::default());
     let span = p.span();
@@ -37,17 +37,12 @@ pub fn light_source(p: &mut Parser) -> Result<Object> {
     {
         area.photons_area = true;
     }
-    Ok(object)
+    Ok(object::finished(object))
 }
 
 fn head(p: &mut Parser) -> Result<Object> {
     if p.peek()? == Tok::Value(Kind::Object) {
-        let span = p.span();
-        let object = take!(p, Object);
-        if !matches!(object.kind, ObjectKind::Light(_)) {
-            return p.error("not-a-light", "this is the name of an object that is no light source", span);
-        }
-        return Ok(Arc::unwrap_or_clone(object));
+        return Ok(Arc::unwrap_or_clone(take!(p, Object)));
     }
     let location = vec3(p)?;
     p.comma()?;
@@ -70,7 +65,7 @@ fn light_color(p: &mut Parser) -> Result<Rgb> {
 }
 
 fn item(p: &mut Parser, object: &mut Object, draft: &mut Draft) -> Result<bool> {
-    let ObjectKind::Light(light) = &mut object.kind else { return Ok(false) };
+    let ObjectKind::Light(light) = &mut object.kind else { return modifiers::modifier(p, object) };
     if let Some(t) = p.accept_transform()? {
         Arc::make_mut(light).transform(&t);
         return Ok(true);

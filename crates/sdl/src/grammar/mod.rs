@@ -31,6 +31,7 @@ mod modifiers;
 mod normal;
 mod nurbs;
 mod object;
+mod old_layers;
 mod patch;
 mod pattern;
 mod pattern_kind;

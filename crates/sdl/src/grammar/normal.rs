@@ -69,6 +69,11 @@ impl Draft {
         Draft { amount: base.amount, accuracy: base.accuracy, no_bump_scale: base.no_bump_scale, ..draft }
     }
 
+    /// How often its pattern repeats.
+    pub fn set_frequency(&mut self, frequency: f32) {
+        self.pattern.frequency = frequency;
+    }
+
     /// How much it bends.
     pub fn bump_size(&self) -> f32 {
         self.amount

@@ -17,7 +17,8 @@ pub struct Draft {
     pub warps: Vec<Warp>,
     /// What the values of the formula become.
     pub wave: Wave,
-    frequency: f32,
+    /// How often it repeats.
+    pub frequency: f32,
     phase: f32,
     noise_generator: u8,
 }

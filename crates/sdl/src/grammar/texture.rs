@@ -8,7 +8,7 @@ use raggio_scene::{
 
 use super::image::{self, Usage};
 use super::util::{set_flag, take, until, word};
-use super::{finish, loose, maps, normal, pattern, pattern_kind, pigment, warp};
+use super::{finish, loose, maps, normal, old_layers, pattern, pattern_kind, pigment, warp};
 use crate::keyword::Kw;
 use crate::parser::{Parser, Result, Tok};
 use crate::value::{Kind, Value};
@@ -112,7 +112,8 @@ pub fn layers(p: &mut Parser) -> Result<Option<Texture>> {
 }
 
 /// Puts one texture over another; patterned ones cannot be layered.
-pub fn layered(p: &mut Parser, mut under: Texture, over: Texture) -> Result<Texture> {
+pub fn layered(p: &mut Parser, mut under: Texture, mut over: Texture) -> Result<Texture> {
+    old_layers::settle(p, &mut over, 0);
     match (&mut under.kind, over.kind) {
         (TextureKind::Layers(layers), TextureKind::Layers(more)) => layers.extend(more),
         _ => {
@@ -134,6 +135,7 @@ fn item(p: &mut Parser, draft: &mut Draft) -> Result<bool> {
     match p.peek()? {
         Tok::Value(Kind::Texture) => {
             draft.texture = Arc::unwrap_or_clone(take!(p, Texture));
+            old_layers::settle(p, &mut draft.texture, 1);
             Ok(true)
         }
         Tok::Value(Kind::Pigment) => {
