@@ -24,29 +24,31 @@ pub fn run(words: &[String]) -> Result<(), String> {
     if let Some(word) = args.last_word()? {
         return Err(format!("unexpected `{word}`"));
     }
-    let merge = merge_tool()?;
+    let host = said_by_rustc("host-tuple")?;
+    let merge = merge_tool(&host)?;
     let folder = target_folder()?.join("dist");
     let (counts, profile) = (folder.join("counts"), folder.join("raggio.profdata"));
     // There may be none yet.
     let _ = std::fs::remove_dir_all(&counts);
     std::fs::create_dir_all(&counts).map_err(|e| format!("{}: {e}", counts.display()))?;
-    let binary = build(&folder, &format!("-Cprofile-generate={}", counts.display()), cpu.as_deref())?;
-    train(&binary, &counts)?;
+    let flags = |profile: String| [Some(profile), cpu.as_ref().map(|cpu| format!("-Ctarget-cpu={cpu}"))];
+    let binary = build(&folder, &host, flags(format!("-Cprofile-generate={}", counts.display())))?;
+    train(&binary, &counts, &folder.join("training.png"))?;
     succeed(Command::new(merge).arg("merge").arg("-o").arg(&profile).arg(&counts))?;
-    let binary = build(&folder, &format!("-Cprofile-use={}", profile.display()), cpu.as_deref())?;
+    let binary = build(&folder, &host, flags(format!("-Cprofile-use={}", profile.display())))?;
     println!("{}", binary.display());
     Ok(())
 }
 
+fn said_by_rustc(what: &str) -> Result<String, String> {
+    let said = Command::new("rustc").args(["--print", what]).output().map_err(|e| format!("rustc: {e}"))?;
+    Ok(String::from_utf8_lossy(&said.stdout).trim().to_string())
+}
+
 /// The tool that puts counts together; it comes with rustc as a component.
-fn merge_tool() -> Result<PathBuf, String> {
-    let ask = |what: &str| -> Result<String, String> {
-        let said =
-            Command::new("rustc").args(["--print", what]).output().map_err(|e| format!("rustc: {e}"))?;
-        Ok(String::from_utf8_lossy(&said.stdout).trim().to_string())
-    };
-    let (sysroot, host) = (ask("sysroot")?, ask("host-tuple")?);
+fn merge_tool(host: &str) -> Result<PathBuf, String> {
     let name = format!("llvm-profdata{}", std::env::consts::EXE_SUFFIX);
+    let sysroot = said_by_rustc("sysroot")?;
     let tool = Path::new(&sysroot).join("lib/rustlib").join(host).join("bin").join(name);
     match tool.exists() {
         true => Ok(tool),
@@ -54,26 +56,27 @@ fn merge_tool() -> Result<PathBuf, String> {
     }
 }
 
-/// Builds the program with a flag for the compiler, for the processors that `cpu` names.
-fn build(folder: &Path, flag: &str, cpu: Option<&str>) -> Result<PathBuf, String> {
-    let mut flags = vec![flag.to_string()];
-    flags.extend(cpu.map(|cpu| format!("-Ctarget-cpu={cpu}")));
+/// Builds the program with flags for the compiler. The target is named so that they count for it alone, not for what
+/// runs while it is built.
+fn build(folder: &Path, host: &str, flags: [Option<String>; 2]) -> Result<PathBuf, String> {
+    let flags: Vec<String> = flags.into_iter().flatten().collect();
     let mut command = Command::new("cargo");
-    command.args(["build", "--release", "--package", "raggio-cli", "--target-dir"]).arg(folder);
+    command
+        .args(["build", "--release", "--package", "raggio-cli", "--target", host, "--target-dir"])
+        .arg(folder);
     command.env("CARGO_ENCODED_RUSTFLAGS", flags.join("\x1f")).current_dir(root_folder());
     succeed(&mut command)?;
-    Ok(folder.join("release").join(format!("raggio{}", std::env::consts::EXE_SUFFIX)))
+    Ok(folder.join(host).join("release").join(format!("raggio{}", std::env::consts::EXE_SUFFIX)))
 }
 
 /// Renders scenes with the program that counts. Some of them are there to be refused.
-fn train(binary: &Path, counts: &Path) -> Result<(), String> {
-    let picture = counts.join("picture.png");
+fn train(binary: &Path, counts: &Path, picture: &Path) -> Result<(), String> {
     let mut rendered = 0;
     for folder in TRAINING {
         for scene in conformance::scenes_below(&root_folder().join(folder))? {
             let mut command = Command::new(binary);
             command.current_dir(scene.parent().unwrap_or(Path::new(".")));
-            command.arg("render").arg(&scene).args(["--size", SIZE, "--threads", "1", "-o"]).arg(&picture);
+            command.arg("render").arg(&scene).args(["--size", SIZE, "--threads", "1", "-o"]).arg(picture);
             // All runs add to one file for each of them that goes on at the same time.
             command.env("LLVM_PROFILE_FILE", counts.join("%1m.profraw"));
             rendered += usize::from(process::run(&mut command, LIMIT)?.code == Some(0));

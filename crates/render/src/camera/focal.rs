@@ -14,6 +14,8 @@ pub struct Lens {
     /// Focal distance in units of the direction's length.
     focus: f64,
     points: Vec<(f64, f64)>,
+    /// Where in the pixel samples lie, by the cell of the pixel's grid: its column, then its row.
+    places: Vec<(f64, f64)>,
     max_jitter: f64,
     min_samples: usize,
     /// How many samples are taken before each test.
@@ -21,6 +23,9 @@ pub struct Lens {
     /// By number of samples taken: the variance under which to stop.
     thresholds: Vec<f64>,
 }
+
+/// A pixel has so many columns of cells, and as many rows.
+const CELLS: usize = 16;
 
 /// One sample on the lens and in the pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -56,6 +61,7 @@ impl Lens {
             half_aperture: blur.aperture / 2.0,
             focus: blur.focal_distance / camera.direction.length(),
             points,
+            places: places(),
             max_jitter,
             min_samples: blur.min_samples as usize,
             groups,
@@ -77,10 +83,7 @@ impl Lens {
     /// Sample `k` of the pixel around a place.
     pub fn sample(&self, x: f64, y: f64, k: usize) -> LensSample {
         let seed = (313.0 * x + 11.0).floor() as i64 + (311.0 * y + 17.0).floor() as i64 + k as i64;
-        let cell = |i: i64| f64::from(2 * (hash(i) % 16) as i32 + 1) / 32.0 - 0.5;
-        let (dx, dy) = (cell(seed), cell(seed + 1));
-        let jitter = jitter2d(dx, dy);
-        let (dx, dy) = (dx + (jitter.0 - 0.5) / 16.0, dy + (jitter.1 - 0.5) / 16.0);
+        let (dx, dy) = self.places[CELLS * (hash(seed) % CELLS) + hash(seed + 1) % CELLS];
         let on_lens = jitter2d(x + dx + 0.5, y + dy - 0.5);
         let (gx, gy) = self.points[k];
         let move_by = |g: f64, j: f64| self.half_aperture * (g + 2.0 * self.max_jitter * j);
@@ -112,6 +115,17 @@ impl Lens {
         done >= self.count()
             || (done >= self.min_samples && (0..4).all(|i| variance(i) < self.thresholds[done]))
     }
+}
+
+/// A place in each cell of a pixel.
+fn places() -> Vec<(f64, f64)> {
+    let middle = |cell: usize| (2 * cell + 1) as f64 / (2 * CELLS) as f64 - 0.5;
+    let place = |i: usize| {
+        let (x, y) = (middle(i / CELLS), middle(i % CELLS));
+        let jitter = jitter2d(x, y);
+        (x + (jitter.0 - 0.5) / CELLS as f64, y + (jitter.1 - 0.5) / CELLS as f64)
+    };
+    (0..CELLS * CELLS).map(place).collect()
 }
 
 fn thresholds(blur: &scene::FocalBlur, n: usize) -> Vec<f64> {

@@ -26,6 +26,7 @@ impl PixelCone {
 impl Tracer<'_> {
     /// In a layer's space, whose point is `p`: the point, and those a step along the footprint's axes. `None` where the
     /// layer is asked by texture coordinates, and for rays that come from no camera.
+    #[inline(never)]
     pub(super) fn footprint(
         &self,
         point: &SurfacePoint<'_>,

@@ -73,6 +73,7 @@ impl Tracer<'_> {
     }
 
     /// Adds one layer.
+    #[inline(always)]
     fn layer(
         &mut self,
         point: &SurfacePoint<'_>,
@@ -139,11 +140,22 @@ impl Tracer<'_> {
         rgb: Rgb,
         opacity: f32,
     ) -> Rgb {
-        let below = match finish.subsurface {
-            Some(_) => self.light_from_below(point, finish, n, rgb),
-            None => None,
-        };
-        match below {
+        match finish.subsurface {
+            Some(_) => self.light_with_below(point, finish, n, rgb, opacity),
+            None => self.local_light(point, finish, n, rgb, opacity),
+        }
+    }
+
+    #[inline(never)]
+    fn light_with_below(
+        &mut self,
+        point: &SurfacePoint<'_>,
+        finish: &Finish,
+        n: Vec3,
+        rgb: Rgb,
+        opacity: f32,
+    ) -> Rgb {
+        match self.light_from_below(point, finish, n, rgb) {
             Some(below) => {
                 let shiny = Finish { diffuse: 0.0, diffuse_back: 0.0, ..*finish };
                 below + self.local_light(point, &shiny, n, rgb, opacity)
@@ -153,6 +165,7 @@ impl Tracer<'_> {
     }
 
     /// What a layer sends back of the light of other surfaces, before it is tinted.
+    #[inline(never)]
     fn light_around(
         &mut self,
         point: &SurfacePoint<'_>,
@@ -184,6 +197,7 @@ impl Tracer<'_> {
     }
 
     /// Quality 0 and 1: the colour of the last layer that shows.
+    #[cold]
     fn flat(&self, layers: &[Layer], p: Vec3, context: &Context) -> Seen {
         let mut rgb = Rgb::ZERO;
         let (mut filter, mut through) = (Rgb::ONE, 1.0);

@@ -35,6 +35,7 @@ pub(super) fn tinted(light: Rgb, metallic: f32, cosine: f64, rgb: Rgb) -> Rgb {
 
 impl Tracer<'_> {
     /// What a layer sends back of all lights.
+    #[inline]
     pub(super) fn local_light(
         &mut self,
         point: &SurfacePoint<'_>,
@@ -63,6 +64,7 @@ impl Tracer<'_> {
         sum
     }
 
+    #[inline(always)]
     fn light_by_centre(
         &mut self,
         point: &SurfacePoint<'_>,
@@ -85,6 +87,7 @@ impl Tracer<'_> {
     }
 
     /// `area_illumination`: every point of the light lights by its own direction, all share one shadow.
+    #[inline(never)]
     fn light_by_area(
         &mut self,
         point: &SurfacePoint<'_>,
@@ -139,7 +142,7 @@ impl Tracer<'_> {
     }
 
     /// Diffuse light and, from `shiny` lights, highlights for light from a direction.
-    #[inline]
+    #[inline(always)]
     fn answer(&mut self, lit: &Lit<'_>, light: Rgb, dir: Vec3, back: bool, shiny: bool) -> Rgb {
         let finish = lit.finish;
         let cosine = lit.n.dot(dir);
@@ -167,6 +170,7 @@ impl Tracer<'_> {
         sum
     }
 
+    #[inline(always)]
     fn iridescent(&self, point: &SurfacePoint<'_>, lit: &Lit<'_>, path: &Path, light: Rgb) -> Rgb {
         match &lit.finish.irid {
             Some(irid) if irid.amount != 0.0 => {
@@ -178,6 +182,7 @@ impl Tracer<'_> {
     }
 
     /// Brightening and darkening by a thin film (textures spec, section 9.3).
+    #[inline(never)]
     pub(super) fn interference(&self, irid: &Irid, p: Vec3, way: f64) -> Rgb {
         let mut thickness = f64::from(irid.thickness);
         if irid.turbulence != 0.0 {

@@ -30,7 +30,11 @@ pub type Interiors = SmallVec<[InteriorId; 8]>;
 /// A copy of a list of interiors, quicker than `clone` for the short ones that they are.
 #[inline]
 pub(crate) fn copied(list: &Interiors) -> Interiors {
-    if list.is_empty() { Interiors::new() } else { Interiors::from_slice(list) }
+    let mut copy = Interiors::new();
+    if !list.is_empty() {
+        list.iter().for_each(|&id| copy.push(id));
+    }
+    copy
 }
 
 /// A ray with its history.
@@ -178,6 +182,7 @@ impl<'w> Tracer<'w> {
     }
 
     /// What a ray sees whose nearest hit is known.
+    #[inline]
     pub fn follow(&mut self, beam: &Beam, hit: Option<&Hit>, continued: bool) -> Seen {
         let step = u16::from(!continued);
         self.level += step;
@@ -186,7 +191,8 @@ impl<'w> Tracer<'w> {
             None => self.world.sky.miss(beam),
         };
         self.level -= step;
-        if self.quality.volume() {
+        let empty = self.world.sky.is_clear() && self.world.air.is_empty();
+        if !empty && self.quality.volume() && self.world.all_hollow(&beam.interiors) {
             self.atmosphere(beam, hit, &mut seen);
         }
         seen
@@ -198,12 +204,10 @@ impl<'w> Tracer<'w> {
     }
 
     /// Rainbows, media of empty space and fog over the way to the hit.
+    #[inline(never)]
     fn atmosphere(&mut self, beam: &Beam, hit: Option<&Hit>, seen: &mut Seen) {
         let world = self.world;
         let depth = hit.map_or(FAR, |hit| hit.t);
-        if (world.sky.is_clear() && world.air.is_empty()) || !world.all_hollow(&beam.interiors) {
-            return;
-        }
         world.sky.rainbows(&beam.ray, depth, &mut self.streams.lights, seen);
         if !world.air.is_empty() {
             let lights = match hit {

@@ -22,6 +22,7 @@ pub struct Mirror {
 
 impl Tracer<'_> {
     /// What a layer will mirror; `None` where it has no reflection at all.
+    #[inline(always)]
     pub(crate) fn mirror(
         &self,
         point: &SurfacePoint<'_>,
@@ -31,9 +32,20 @@ impl Tracer<'_> {
         through: f32,
     ) -> Option<Mirror> {
         let reflection = &finish.reflection;
-        if reflection.min == Rgb::ZERO && reflection.max == Rgb::ZERO {
-            return None;
-        }
+        let none = reflection.min == Rgb::ZERO && reflection.max == Rgb::ZERO;
+        if none { None } else { Some(self.mirror_of(point, finish, n, rgb, through)) }
+    }
+
+    /// What a layer with a reflection will mirror.
+    fn mirror_of(
+        &self,
+        point: &SurfacePoint<'_>,
+        finish: &Finish,
+        n: Vec3,
+        rgb: Rgb,
+        through: f32,
+    ) -> Mirror {
+        let reflection = &finish.reflection;
         let cosine = -point.beam.ray.dir.dot(n);
         let (mut reflectivity, factor) = if reflection.fresnel {
             let index = self.world.fresnel_index(&point.beam.interiors, point.material.interior);
@@ -51,7 +63,7 @@ impl Tracer<'_> {
         }
         let weight = point.beam.weight * through * factor;
         let film = self.film(finish.irid.as_ref(), point, n);
-        Some(Mirror { n, reflectivity, film, weight, exponent: reflection.exponent })
+        Mirror { n, reflectivity, film, weight, exponent: reflection.exponent }
     }
 
     /// What a thin film makes of light that is seen mirrored.

@@ -33,6 +33,7 @@ pub struct Bent {
 
 impl Tracer<'_> {
     /// Follows the ray through the surface.
+    #[inline(never)]
     pub(super) fn refract(&mut self, point: &SurfacePoint<'_>, n: Vec3, weight: f32) -> Behind {
         let mut behind = Behind { seen: Seen::BLACK, total: false };
         let world = self.world;

@@ -88,6 +88,7 @@ impl<'w> Tracer<'w> {
     }
 
     /// The weighted sum over all textures of a point.
+    #[inline(never)]
     fn textures(&mut self, point: &SurfacePoint<'_>) -> Seen {
         let world = self.world;
         let context = point.context();
@@ -116,6 +117,7 @@ impl<'w> Tracer<'w> {
     }
 
     /// The light that arrives at a point from its `i`th light after shadows, worked out once for all layers.
+    #[inline(always)]
     pub(super) fn arriving_once(
         &mut self,
         point: &SurfacePoint<'_>,

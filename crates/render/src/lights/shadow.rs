@@ -63,6 +63,7 @@ impl Tracer<'_> {
     }
 
     /// What is left of an area light's light, in the mean.
+    #[inline(never)]
     fn after_soft_shadows(
         &mut self,
         source: &LightSource,
@@ -159,6 +160,7 @@ impl Tracer<'_> {
 
     /// What is left of light after the surfaces on its way and what lies between them: media where it is `hazy`, and
     /// those of empty space where it is `misty`.
+    #[inline(never)]
     fn through(
         &mut self,
         source: &LightSource,

@@ -83,6 +83,7 @@ impl<'w> State<'w> {
 
 impl Tracer<'_> {
     /// The light that photons bring to a layer. `known` is the radius of the layers before, which share its photons.
+    #[inline(never)]
     pub(crate) fn photon_light(
         &mut self,
         point: &SurfacePoint<'_>,
