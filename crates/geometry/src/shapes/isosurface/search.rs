@@ -64,7 +64,8 @@ impl<'a> Search<'a> {
         let close = self.close();
         let is_clear = |value: Range| value.size() < close || value.lo >= close || value.hi <= -close;
         let value = self.where_value_is(start, walk, is_clear);
-        if value.size() >= close {
+        let is_close = value.size() < close;
+        if !is_close {
             return (start, value);
         }
         let next = 5.0 * accuracy;
@@ -131,8 +132,9 @@ impl<'a> Search<'a> {
             let last =
                 if stretch.1 < end { grid.not_before(stretch.1).saturating_sub(1) } else { grid.count };
             let first = grid.not_before(stretch.0).max(progress.done + 1);
+            // Behind a stretch that is not free the value may be anything.
+            let entry = (stretch.0, std::mem::replace(&mut progress.least, f64::NEG_INFINITY));
             if first <= last {
-                let entry = (stretch.0, std::mem::replace(&mut progress.least, f64::NEG_INFINITY));
                 let found = self.in_stretch(&grid, (first, last), entry, cell.model(), &mut progress);
                 if let Some(index) = found {
                     return Some(grid.at(index));
