@@ -2,11 +2,11 @@
 //! next, and inside of any the end of the chain of stretches that overlap.
 use raggio_math::Ray;
 
-use super::{CLOSE, Counted, End, Solid};
+use super::{CLOSE, Counted, Solid};
 use crate::body::Ready;
 
 /// Merges of more bodies than this are walked.
-pub(super) const MOST_UNITED: usize = 16;
+pub(super) const MOST_UNITED: usize = 8;
 
 /// The stretches of the bodies that are met in a range.
 struct Stretches {
@@ -16,91 +16,79 @@ struct Stretches {
     len: usize,
 }
 
-/// Ends lie so close that rounding may have put them in the wrong order.
-struct Unclear;
-
-#[inline(always)]
-fn margin(t: f64) -> f64 {
-    CLOSE * (1.0 + t.abs())
-}
-
 impl Stretches {
-    /// All that reach into the range; `None` where one of them lies beyond its ends.
-    #[inline(always)]
-    fn of(solid: &Solid, ray: &Ray, (from, to): (f64, f64)) -> Option<Stretches> {
-        let (none, nobody) = ([0.0; MOST_UNITED], [0; MOST_UNITED]);
-        let mut all = Stretches { enter: none, leave: none, part: nobody, len: 0 };
+    const NONE: Stretches =
+        Stretches { enter: [0.0; MOST_UNITED], leave: [0.0; MOST_UNITED], part: [0; MOST_UNITED], len: 0 };
+
+    /// Adds all that reach into the range; false where one of them lies beyond its ends. Not inlined: what bodies ask
+    /// of the ray alone would be worked out before it is known that there are any.
+    #[inline(never)]
+    fn add_all(&mut self, solid: &Solid, ray: &Ray, from: f64, to: f64) -> bool {
         let mut ready = Ready::new();
-        for (i, part) in (0u32..).zip(&solid.parts) {
+        for (i, part) in solid.parts.iter().enumerate() {
             let stretch = part.body.stretch(ray, &mut ready);
-            if stretch.beyond || all.len == MOST_UNITED {
-                return None;
+            if stretch.beyond || self.len == MOST_UNITED {
+                return false;
             }
             if stretch.leave > from && stretch.enter < to {
-                (all.enter[all.len], all.leave[all.len]) = (stretch.enter, stretch.leave);
-                all.part[all.len] = i;
-                all.len += 1;
+                (self.enter[self.len], self.leave[self.len]) = (stretch.enter, stretch.leave);
+                self.part[self.len] = i as u32;
+                self.len += 1;
             }
         }
-        Some(all)
+        true
     }
 
-    /// Each with its place.
     #[inline(always)]
-    fn iter(&self) -> impl Iterator<Item = (usize, f64, f64)> {
-        let ends = self.enter.iter().zip(&self.leave);
-        ends.take(self.len).enumerate().map(|(i, (&enter, &leave))| (i, enter, leave))
-    }
-
     fn contain(&self, t: f64) -> bool {
-        self.iter().any(|(_, enter, leave)| enter <= t && t < leave)
+        let mut contain = false;
+        for i in 0..self.len.min(MOST_UNITED) {
+            contain |= self.enter[i] <= t && t < self.leave[i];
+        }
+        contain
     }
 
-    /// Where a ray that is outside comes in next.
+    /// Is the end of a stretch that is next along the ray the only one there?
     #[inline(always)]
-    fn next_enter(&self, at: f64) -> Result<End, Unclear> {
+    fn is_alone(&self, end: usize, t: f64) -> bool {
+        let close = CLOSE * (1.0 + t.abs());
+        let mut near = 0;
+        for i in 0..self.len.min(MOST_UNITED) {
+            near += u32::from((self.enter[i] - t).abs() <= close);
+            near += u32::from((self.leave[i] - t).abs() <= close);
+        }
+        end < MOST_UNITED && near == 1
+    }
+
+    /// Where a ray that is outside comes in next: which stretch, and where.
+    #[inline(always)]
+    fn next_enter(&self, at: f64) -> (usize, f64) {
         let (mut first, mut t) = (MOST_UNITED, f64::INFINITY);
-        for (i, enter, _) in self.iter() {
-            if enter > at && enter < t {
-                (first, t) = (i, enter);
+        for i in 0..self.len.min(MOST_UNITED) {
+            if self.enter[i] > at && self.enter[i] < t {
+                (first, t) = (i, self.enter[i]);
             }
         }
-        if first == MOST_UNITED {
-            return Ok(End { t, part: 0 });
-        }
-        let close = margin(t);
-        let rival = |(i, enter, leave): (usize, f64, f64)| {
-            if i == first { leave - t <= close } else { (enter - t).abs() <= close }
-        };
-        if self.iter().any(rival) { Err(Unclear) } else { Ok(End { t, part: self.part[first] }) }
+        (first, t)
     }
 
     /// Where a ray that is inside comes out.
     #[inline(always)]
-    fn next_leave(&self, at: f64) -> Result<End, Unclear> {
-        let (mut last, mut t) = (MOST_UNITED, at);
+    fn next_leave(&self, at: f64) -> (usize, f64) {
+        let (mut last, mut t, mut surely) = (MOST_UNITED, at, at);
         loop {
-            // A stretch that begins hardly before the others end may not overlap with them at all.
-            let surely = if last == MOST_UNITED { at } else { t - margin(t) };
-            let mut longer = (last, t);
-            for (i, enter, leave) in self.iter() {
-                if enter <= surely && leave > longer.1 {
-                    longer = (i, leave);
+            let before = last;
+            for i in 0..self.len.min(MOST_UNITED) {
+                if self.enter[i] <= surely && self.leave[i] > t {
+                    (last, t) = (i, self.leave[i]);
                 }
             }
-            if longer.0 == last {
-                break;
+            if last == before {
+                return (last, t);
             }
-            (last, t) = longer;
+            // A stretch that begins hardly before the others end may not overlap with them at all.
+            surely = t - CLOSE * (1.0 + t.abs());
         }
-        let close = margin(t);
-        let rival = |(i, enter, leave): (usize, f64, f64)| {
-            i != last && ((enter - t).abs() <= close || (leave - t).abs() <= close)
-        };
-        if last == MOST_UNITED || self.iter().any(rival) {
-            return Err(Unclear);
-        }
-        Ok(End { t, part: self.part[last] })
     }
 }
 
@@ -113,16 +101,26 @@ impl Solid {
         range: (f64, f64),
         mut found: impl FnMut(Counted<'_>) -> Option<bool>,
     ) -> Option<Option<f64>> {
-        let mut at = range.0;
-        let Some(stretches) = Stretches::of(self, ray, range) else { return Some(Some(at)) };
+        let mut stretches = Stretches::NONE;
+        if !stretches.add_all(self, ray, range.0, range.1) {
+            return Some(Some(range.0));
+        }
         if stretches.len == 0 {
             return Some(None);
         }
+        let mut at = range.0;
         let mut inside = stretches.contain(at);
         loop {
-            let next = if inside { stretches.next_leave(at) } else { stretches.next_enter(at) };
-            let Ok(End { t, part }) = next else { return Some(Some(at)) };
-            if t >= range.1 || !found(Counted { part: &self.parts[part as usize], t })? {
+            let (end, t) = if inside { stretches.next_leave(at) } else { stretches.next_enter(at) };
+            if t >= range.1 {
+                return Some(None);
+            }
+            // Rounding may have put ends that lie close in the wrong order.
+            if !stretches.is_alone(end, t) {
+                return Some(Some(at));
+            }
+            let part = &self.parts[stretches.part[end] as usize];
+            if !found(Counted { part, t })? {
                 return Some(None);
             }
             (at, inside) = (t, !inside);
