@@ -302,7 +302,7 @@ fn derivative<const N: usize>(c: &[f64; N], n: usize, k: usize) -> [f64; N] {
 /// Steps this small, as a share of the interval, end the search for a critical point and for a root. Newton's method
 /// doubles the digits with each step, so what is left is far smaller.
 const KNOT_STEP: f64 = 1e-6;
-const ROOT_STEP: f64 = 1e-9;
+const ROOT_STEP: f64 = 1e-8;
 
 /// The roots between two samples of a polynomial.
 #[inline]
@@ -358,12 +358,12 @@ fn turn<const N: usize>(b: &[f64; N]) -> usize {
 /// The Bernstein coefficients over `0..=s` and `s..=1` (de Casteljau).
 #[inline]
 fn split<const N: usize>(b: &[f64; N], s: f64) -> ([f64; N], [f64; N]) {
-    let (mut left, mut right) = ([b[0]; N], *b);
-    for k in 1..N {
+    let (mut left, mut right) = (*b, *b);
+    for (k, start) in left.iter_mut().enumerate().skip(1) {
         for i in 0..N - k {
             right[i] += (right[i + 1] - right[i]) * s;
         }
-        left[k] = right[0];
+        *start = right[0];
     }
     (left, right)
 }
@@ -429,9 +429,9 @@ fn bernstein_over<const N: usize>(c: &[f64; N], lo: (f64, f64), hi: (f64, f64)) 
         }
     }
     let (width, mut power) = (hi.0 - lo.0, 1.0);
-    for k in 1..N {
+    for x in &mut b[1..] {
         power *= width;
-        b[k] *= power;
+        *x *= power;
     }
     bernstein_from_power(&b, lo.1, hi.1)
 }
@@ -440,8 +440,8 @@ fn bernstein_over<const N: usize>(c: &[f64; N], lo: (f64, f64), hi: (f64, f64)) 
 #[inline]
 fn bernstein_from_power<const N: usize>(c: &[f64; N], at_zero: f64, at_one: f64) -> [f64; N] {
     let mut b = *c;
-    for k in 1..N {
-        b[k] *= INVERSE_BINOMIAL[N - 1][k];
+    for (x, inverse) in b.iter_mut().zip(&INVERSE_BINOMIAL[N - 1]) {
+        *x *= inverse;
     }
     for k in (1..N).rev() {
         for j in k..N {

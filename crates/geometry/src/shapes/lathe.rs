@@ -17,7 +17,7 @@ const LEVEL: f64 = 1e-6;
 
 /// Bent pieces of the profile are cut into so many spans: short ones lie close in their boxes, and mostly hold one
 /// root at most.
-const SPANS: usize = 4;
+const SPANS: usize = 2;
 
 /// A lathe; x of its profile is the radius, y the height.
 #[derive(Clone, Debug)]
@@ -26,7 +26,10 @@ pub(crate) struct Lathe {
     spans: Vec<Span>,
     /// The middle of its heights.
     level: f64,
-    tree: PlaneTree,
+    /// Over the spans in their order and against it.
+    trees: [PlaneTree; 2],
+    /// Does the profile end higher than it begins?
+    rises: bool,
 }
 
 /// A stretch of a piece of the profile.
@@ -121,8 +124,9 @@ impl Cone {
     #[inline(always)]
     fn off_along<const N: usize>(&self, form: &Form, ends: [f64; 2]) -> [f64; N] {
         let mut off = [0.0; N];
-        for k in 0..N {
-            off[k] = self.a * form.height2[k] + self.b * form.height[k] + self.c - self.dy2 * form.radius2[k];
+        let squares = form.height2.iter().zip(&form.radius2);
+        for (off, (height, (height2, radius2))) in off.iter_mut().zip(form.height.iter().zip(squares)) {
+            *off = self.a * height2 + self.b * height + self.c - self.dy2 * radius2;
         }
         (off[0], off[N - 1]) = ends.into();
         off
@@ -214,8 +218,11 @@ impl Lathe {
         let pieces = profile.pieces().enumerate();
         let spans: Vec<_> =
             pieces.flat_map(|(i, (curve, points))| Span::of_piece(i, curve, points, level)).collect();
-        let boxes: Vec<_> = spans.iter().map(Span::bounds).collect();
-        Lathe { profile, spans, level, tree: PlaneTree::new(&boxes) }
+        let mut boxes: Vec<_> = spans.iter().map(Span::bounds).collect();
+        let forth = PlaneTree::new(&boxes);
+        boxes.reverse();
+        let rises = spans.first().zip(spans.last()).is_some_and(|(a, b)| a.ends[0].y < b.ends[1].y);
+        Lathe { profile, spans, level, trees: [forth, PlaneTree::new(&boxes)], rises }
     }
 
     /// Heights and radius of the barrel around it.
@@ -239,10 +246,12 @@ impl Lathe {
         let sweep = Sweep::new(&near);
         let cone = Cone::new(&near, sweep.radius2, self.level);
         let (first, last) = (lo - middle, Cell::new(hi - middle));
-        self.tree.visit(
+        // What the ray comes to first had best be asked first: what lies beyond a hit need not be.
+        let forth = self.rises == (ray.dir.y > 0.0);
+        self.trees[usize::from(!forth)].visit(
             |node| sweep.passes(node, (first, last.get())),
             |i, _| {
-                let span = &self.spans[i];
+                let span = &self.spans[if forth { i } else { self.spans.len() - 1 - i }];
                 span.meets(&cone, self.level, |s| {
                     let t = (point(&span.curve, s).y - near.origin.y) * sweep.per_y;
                     let (s, t) = polished(&near, &span.curve, s, t);

@@ -6,7 +6,7 @@ use super::{CLOSE, Counted, Solid};
 use crate::body::Ready;
 
 /// Merges of more bodies than this are walked.
-pub(super) const MOST_UNITED: usize = 8;
+pub(super) const MOST_UNITED: usize = 12;
 
 /// The stretches of the bodies that are met in a range.
 struct Stretches {
