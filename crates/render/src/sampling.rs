@@ -47,7 +47,7 @@ pub fn mix(words: [u64; 4]) -> u64 {
 }
 
 /// A place in the table of 32768 Mersenne twister numbers.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Stream(u16);
 
 impl Stream {
@@ -67,7 +67,7 @@ impl Stream {
 }
 
 /// The linear congruential generator behind `crand`.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Lcg(u32);
 
 impl Lcg {
@@ -80,7 +80,7 @@ impl Lcg {
 }
 
 /// The random numbers that one camera sample may use.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Streams {
     /// Area lights and rainbows.
     pub lights: Stream,
