@@ -371,15 +371,7 @@ fn many_vectors(
 }
 
 #[target_feature(enable = "avx2")]
-fn summed_vectors(
-    x: f64,
-    y: f64,
-    z: f64,
-    mut scale: f64,
-    lambda: f64,
-    count: usize,
-    omega: f64,
-) -> Vec3 {
+fn summed_vectors(x: f64, y: f64, z: f64, mut scale: f64, lambda: f64, count: usize, omega: f64) -> Vec3 {
     let (mut sum, mut weight) = ([0.0; 3], 1.0);
     let mut left = count;
     while left > 0 {
