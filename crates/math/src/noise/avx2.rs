@@ -290,9 +290,8 @@ pub(super) fn vector_sum(octaves: &Octaves, omega: f64) -> Option<Vec3> {
 
 #[target_feature(enable = "avx2")]
 fn one_scalar(x: f64, y: f64, z: f64) -> f64 {
-    let p = [_mm256_set1_pd(x), _mm256_set1_pd(y), _mm256_set1_pd(z)];
-    let [x, y, z] = p;
-    _mm256_cvtsd_f64(scalar_lanes::<1>(x, y, z))
+    let lanes = scalar_lanes::<1>(_mm256_set1_pd(x), _mm256_set1_pd(y), _mm256_set1_pd(z));
+    _mm256_cvtsd_f64(lanes)
 }
 
 #[target_feature(enable = "avx2")]

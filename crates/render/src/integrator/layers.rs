@@ -140,28 +140,10 @@ impl Tracer<'_> {
         rgb: Rgb,
         opacity: f32,
     ) -> Rgb {
-        match finish.subsurface {
-            Some(_) => self.light_with_below(point, finish, n, rgb, opacity),
-            None => self.local_light(point, finish, n, rgb, opacity),
-        }
-    }
-
-    #[inline(never)]
-    fn light_with_below(
-        &mut self,
-        point: &SurfacePoint<'_>,
-        finish: &Finish,
-        n: Vec3,
-        rgb: Rgb,
-        opacity: f32,
-    ) -> Rgb {
-        match self.light_from_below(point, finish, n, rgb) {
-            Some(below) => {
-                let shiny = Finish { diffuse: 0.0, diffuse_back: 0.0, ..*finish };
-                below + self.local_light(point, &shiny, n, rgb, opacity)
-            }
-            None => self.local_light(point, finish, n, rgb, opacity),
-        }
+        let below = finish.subsurface.and_then(|_| self.light_from_below(point, finish, n, rgb));
+        let shiny = below.map(|_| Finish { diffuse: 0.0, diffuse_back: 0.0, ..*finish });
+        let reflected = self.local_light(point, shiny.as_ref().unwrap_or(finish), n, rgb, opacity);
+        below.map_or(reflected, |below| below + reflected)
     }
 
     /// What a layer sends back of the light of other surfaces, before it is tinted.

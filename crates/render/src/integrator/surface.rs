@@ -63,8 +63,7 @@ impl<'w> Tracer<'w> {
         let mut seen = match alone {
             Some((texture, layers)) => {
                 let context = point.context();
-                let uv = material.uv_mapping.then_some(surface.uv);
-                let (path, p) = placed(texture, surface.p, uv);
+                let (path, p) = placed(texture, &surface, material);
                 self.layers(&point, layers, p, &path, &context)
             }
             None => self.textures(&point),
@@ -92,14 +91,13 @@ impl<'w> Tracer<'w> {
     fn textures(&mut self, point: &SurfacePoint<'_>) -> Seen {
         let world = self.world;
         let context = point.context();
-        let uv = point.material.uv_mapping.then_some(point.surface.uv);
         let (mut rgb, mut transmit) = (Rgb::ZERO, 0.0);
         for used in &point.surface.textures {
             if used.weight < self.bailout {
                 continue;
             }
             let texture = world.texture(used.texture);
-            let (path, p) = placed(texture, point.surface.p, uv);
+            let (path, p) = placed(texture, point.surface, point.material);
             for_each_plain(
                 &texture.texture,
                 p,

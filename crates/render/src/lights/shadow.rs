@@ -218,12 +218,11 @@ impl World {
         let material = self.material(surface);
         let n = if surface.from_inside { -surface.n } else { surface.n };
         let context = Context { normal: Some(n), point: surface.p, ray_dir: ray.dir, uv: surface.uv };
-        let uv = material.uv_mapping.then_some(surface.uv);
-        let caustics = f64::from(self.interior(material.interior).interior.caustics) * 45.0;
+        let caustics = self.interior(material.interior).interior.caustics;
         let mut sum = Rgb::ZERO;
         for used in &surface.textures {
             let texture = self.texture(used.texture);
-            let (path, p) = placed(texture, surface.p, uv);
+            let (path, p) = placed(texture, surface, material);
             for_each_plain(
                 &texture.texture,
                 p,

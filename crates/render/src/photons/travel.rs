@@ -126,10 +126,9 @@ impl Tracer<'_> {
     ) {
         let world = self.world;
         let context = point.context();
-        let uv = point.material.uv_mapping.then_some(point.surface.uv);
         for used in &point.surface.textures {
             let texture = world.texture(used.texture);
-            let (path, p) = placed(texture, point.surface.p, uv);
+            let (path, p) = placed(texture, point.surface, point.material);
             for_each_plain(
                 &texture.texture,
                 p,
