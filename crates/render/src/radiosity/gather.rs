@@ -8,7 +8,7 @@ use raggio_math::{MIN_HIT, Ray, Vec3};
 use super::cache::Sample;
 use super::{Rules, State};
 use crate::integrator::surface::SurfacePoint;
-use crate::integrator::{Beam, Interiors, Tracer};
+use crate::integrator::{Beam, Tracer};
 use crate::sampling::halton;
 
 /// Sums over the rays of a gather.
@@ -74,7 +74,7 @@ impl Tracer<'_> {
             }
             let beam = Beam {
                 ray: Ray::new(point.surface.p, dir),
-                interiors: Interiors::new(),
+                interiors: &[],
                 weight,
                 class: RayClass::Radiosity,
                 alpha: false,
@@ -87,7 +87,7 @@ impl Tracer<'_> {
     }
 
     /// Shoots one ray and adds what it brings. Rays to objects of little importance only bring their distance.
-    fn gather_ray(&mut self, beam: &Beam, rules: &Rules, count: u32, sums: &mut Sums) {
+    fn gather_ray(&mut self, beam: &Beam<'_>, rules: &Rules, count: u32, sums: &mut Sums) {
         let hit = self.world.geometry.closest(&beam.ray, (MIN_HIT, beam.reach), beam.class);
         let i = sums.rays;
         sums.rays += 1;
