@@ -1,4 +1,5 @@
 //! Sampling along a ray: intervals, the three methods, the sum (media spec, sections 1.4 and 1.5).
+use raggio_geometry::InteriorId;
 use raggio_image::Rgb;
 use raggio_math::{Ray, Vec3};
 use smallvec::SmallVec;
@@ -6,7 +7,7 @@ use smallvec::SmallVec;
 use super::lit::{LitRanges, Range};
 use super::phase::phase;
 use super::{Joined, Medium, exp};
-use crate::integrator::{Interiors, Tracer};
+use crate::integrator::Tracer;
 
 /// Everything that stays the same along a segment.
 pub(super) struct Along<'a> {
@@ -16,14 +17,14 @@ pub(super) struct Along<'a> {
     pub aa_threshold: f32,
     pub ray: Ray,
     pub lights: LitRanges,
-    pub interiors: &'a Interiors,
+    pub interiors: &'a [InteriorId],
     /// Only dimming counts.
     pub shadow: bool,
 }
 
 impl<'a> Along<'a> {
     /// A segment of a ray through some media of which one leads. Only dimming counts, and no lights.
-    pub(super) fn new(media: Joined<'a>, leader: &'a Medium, ray: Ray, interiors: &'a Interiors) -> Self {
+    pub(super) fn new(media: Joined<'a>, leader: &'a Medium, ray: Ray, interiors: &'a [InteriorId]) -> Self {
         let aa_threshold = media.iter().map(|m| m.sampling.aa_threshold).fold(f32::INFINITY, f32::min);
         Along { media, leader, aa_threshold, ray, lights: LitRanges::new(), interiors, shadow: true }
     }
@@ -112,7 +113,7 @@ impl Tracer<'_> {
         let step = 1.0 / f64::from(n + 1);
         let length = interval.length as f32;
         let mut dim = |d: f64, width: f64| {
-            let d = d + width * sampling.jitter * (self.streams.media.next() - 0.5);
+            let d = d + width * sampling.jitter * (self.streams.numbers().media.next() - 0.5);
             let p = along.ray.at(interval.start + d * interval.length);
             let dims = along.media.iter().map(|medium| medium.density(p, along.ray.dir) * medium.extinction);
             dims.fold(Rgb::ZERO, |sum, dim| sum + dim) * length
@@ -140,7 +141,7 @@ impl Tracer<'_> {
         let sampling = &along.leader.sampling;
         for interval in intervals.iter_mut() {
             for j in 0..sampling.min {
-                let u = self.streams.media.next();
+                let u = self.streams.numbers().media.next();
                 let d = match sampling.method {
                     2 => (f64::from(j) + 0.5 + u * sampling.jitter) / f64::from(sampling.min),
                     _ => u,
@@ -153,7 +154,7 @@ impl Tracer<'_> {
         }
         for interval in intervals.iter_mut() {
             while interval.samples <= sampling.max as f32 && interval.uncertain(&sampling.thresholds) {
-                let d = self.streams.media.next();
+                let d = self.streams.numbers().media.next();
                 self.add_sample(along, interval, d);
             }
         }
@@ -175,7 +176,7 @@ impl Tracer<'_> {
         let n = sampling.steps();
         let step = 1.0 / f64::from(n + 1);
         let jittered = |tracer: &mut Self, d: f64, width: f64| {
-            let d = d + width * sampling.jitter * (tracer.streams.media.next() - 0.5);
+            let d = d + width * sampling.jitter * (tracer.streams.numbers().media.next() - 0.5);
             let sample = tracer.medium_at(along, interval.start + d * interval.length, interval.lit);
             let length = interval.length as f32;
             Sample { glow: sample.glow * length, dim: sample.dim * length }

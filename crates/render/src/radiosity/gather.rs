@@ -8,7 +8,7 @@ use raggio_math::{MIN_HIT, Ray, Vec3};
 use super::cache::Sample;
 use super::{Rules, State};
 use crate::integrator::surface::SurfacePoint;
-use crate::integrator::{Beam, Interiors, Tracer};
+use crate::integrator::{Beam, Tracer};
 use crate::sampling::halton;
 
 /// A gather under way.
@@ -121,7 +121,7 @@ impl Tracer<'_> {
         let Gather { rules, point, directions, .. } = gather;
         let beam = Beam {
             ray: Ray::new(point.surface.p, directions[i as usize]),
-            interiors: Interiors::new(),
+            interiors: &[],
             weight: gather.weight,
             class: RayClass::Radiosity,
             alpha: false,
