@@ -139,7 +139,7 @@ impl Geometry {
         &self,
         leaf: u32,
         ray: &Ray,
-        mut range: (f64, f64),
+        range: (f64, f64),
         gap: f64,
         obstacles: &mut impl Obstacles,
     ) -> bool {
@@ -147,14 +147,7 @@ impl Geometry {
         if let Some(found) = leaves.closest_of_few(leaf, ray, range, gap, |hit| obstacles.meets(hit)) {
             return found.is_some();
         }
-        while range.0 < range.1 {
-            let Some(hit) = leaves.closest(leaf, ray, range, &|_| false) else { return false };
-            if obstacles.meets(&hit) {
-                return true;
-            }
-            range.0 = hit.t + gap;
-        }
-        false
+        one_stops(range, gap, obstacles, |range, _| leaves.closest(leaf, ray, range, &|_| false))
     }
 
     /// `None` where the sweep cannot tell.
@@ -183,16 +176,27 @@ impl Geometry {
         scratch: &mut Scratch,
         obstacles: &mut impl Obstacles,
     ) -> bool {
-        let mut range = way.range;
-        while range.0 < range.1 {
+        one_stops(way.range, way.gap, obstacles, |range, obstacles| {
             let stops = |hit: &Hit| obstacles.stops(hit.leaf);
-            let found = self.tree.closest(node, way.probe, range, RayClass::Shadow.bit(), scratch, &stops);
-            let Some(hit) = found else { return false };
-            if obstacles.stops(hit.leaf) || obstacles.meets(&hit) {
-                return true;
-            }
-            range.0 = hit.t + way.gap;
-        }
-        false
+            self.tree.closest(node, way.probe, range, RayClass::Shadow.bit(), scratch, &stops)
+        })
     }
+}
+
+/// Does one of the surfaces that `closest` finds, one after another, stop the light?
+#[inline(always)]
+fn one_stops<O: Obstacles>(
+    mut range: (f64, f64),
+    gap: f64,
+    obstacles: &mut O,
+    mut closest: impl FnMut((f64, f64), &O) -> Option<Hit>,
+) -> bool {
+    while range.0 < range.1 {
+        let Some(hit) = closest(range, obstacles) else { return false };
+        if obstacles.stops(hit.leaf) || obstacles.meets(&hit) {
+            return true;
+        }
+        range.0 = hit.t + gap;
+    }
+    false
 }

@@ -2,7 +2,9 @@
 //! the irradiance cache of Ward, Rubinstein and Clear 1988).
 //!
 //! The picture does not depend on threads: samples of a pass are seen by later passes, and within the pass only by
-//! the group of tiles that made them. Pass k has 2^k groups.
+//! the group of tiles that made them. Pass k has 2^k groups; in the first one, which has no work for a second thread,
+//! threads share the rays of each new sample.
+mod ahead;
 mod cache;
 mod gather;
 mod pretrace;
@@ -13,8 +15,9 @@ use raggio_scene::RadiositySettings;
 
 use crate::integrator::Tracer;
 use crate::integrator::surface::SurfacePoint;
+use ahead::Asked;
 pub use cache::Cache;
-use cache::{Found, Query};
+use cache::{Found, Query, Sample};
 pub use pretrace::pretrace;
 
 /// The settings of a scene with what follows from them.
@@ -75,6 +78,12 @@ pub struct State<'w> {
     pretrace: bool,
     /// How well the light of the present ray is known.
     ray_quality: f32,
+    /// The samples made, with their depths, where idle threads may shoot rays before their turn.
+    made: Option<Vec<(u32, Sample)>>,
+    /// Of a helper: the samples of the group that it works for.
+    before: Option<&'w Cache>,
+    /// Of a helper: what the present ray wants to know. Helpers make no samples.
+    asked: Option<Asked>,
 }
 
 impl<'w> State<'w> {
@@ -88,7 +97,15 @@ impl<'w> State<'w> {
             depth: 0,
             pretrace,
             ray_quality: 1.0,
+            made: None,
+            before: None,
+            asked: None,
         }
+    }
+
+    /// The same for a group beside which no other is at work.
+    pub fn with_helpers(self) -> Self {
+        State { made: Some(Vec::new()), ..self }
     }
 
     /// Surfaces that the camera sees need no lights before the final picture.
@@ -117,11 +134,17 @@ impl Tracer<'_> {
         };
         let mut found = Found::default();
         state.shared.look_up(depth, &query, &mut found);
+        if let Some(before) = state.before {
+            before.look_up(depth, &query, &mut found);
+        }
         state.own.look_up(depth, &query, &mut found);
         let wanted = rules.wanted(depth);
         let lazy = !state.pretrace && !settings.always_sample && found.weight > 0.0;
         let enough = 4.0 * found.weight >= wanted || lazy;
-        if !enough {
+        if let Some(asked) = self.radiosity.as_mut().and_then(|s| s.asked.as_mut()) {
+            asked.queries.push((depth, query));
+            asked.stuck |= !enough;
+        } else if !enough {
             let (light, quality) = self.gather(point, query.n, raw);
             found.sum += light * quality;
             found.weight += quality;

@@ -34,6 +34,9 @@ pub fn pretrace(
         let shared = &cache;
         let work = |group: usize| {
             let mut state = State::new(rules, shared, true);
+            if groups == 1 && rayon::current_num_threads() > 1 {
+                state = state.with_helpers();
+            }
             if let Some(cursors) = cursors.get(group) {
                 state.cursors.clone_from(cursors);
             }
