@@ -47,7 +47,7 @@ pub fn mix(words: [u64; 4]) -> u64 {
 }
 
 /// A place in the table of 32768 Mersenne twister numbers.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Stream(u16);
 
 impl Stream {
@@ -67,7 +67,7 @@ impl Stream {
 }
 
 /// The linear congruential generator behind `crand`.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Lcg(u32);
 
 impl Lcg {
@@ -80,14 +80,14 @@ impl Lcg {
 }
 
 /// The random numbers that one camera sample may use, looked up when the first is asked for.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Streams {
     key: [u64; 4],
     numbers: Option<Numbers>,
 }
 
 /// Where the random numbers of a camera sample go on.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Numbers {
     /// Area lights and rainbows.
     pub lights: Stream,

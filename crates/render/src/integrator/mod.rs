@@ -162,6 +162,25 @@ impl<'w> Tracer<'w> {
         }
     }
 
+    /// A tracer for the thread that calls which goes on where this one stands, with that much of its stack and without
+    /// radiosity and photons.
+    pub(crate) fn fork(&self, stack_allowance: usize) -> Tracer<'_> {
+        Tracer {
+            streams: self.streams,
+            level: self.level,
+            bailout: self.bailout,
+            scatter_depth: self.scatter_depth,
+            pixel: self.pixel,
+            way: self.way,
+            ..Tracer::new(self.world, self.quality, self.max_level, stack_allowance)
+        }
+    }
+
+    /// How much of the stack is left.
+    pub(crate) fn stack_left(&self) -> usize {
+        self.stack_allowance.saturating_sub(self.stack_base.abs_diff(stack_position()))
+    }
+
     /// What a ray sees. `continued` rays go straight on through a surface and use up no level.
     pub fn trace(&mut self, beam: &Beam<'_>, continued: bool) -> Seen {
         if self.level >= self.max_level || beam.weight < self.bailout || self.stack_is_spent() {

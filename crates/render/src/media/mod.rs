@@ -107,6 +107,7 @@ impl Medium {
     }
 
     /// The density at a point of the world.
+    #[inline]
     fn density(&self, p: Vec3, ray_dir: Vec3) -> Rgb {
         if let Some(density) = self.even {
             return density;
@@ -150,6 +151,11 @@ impl Sampling {
             aa_level: media.aa_level,
             aa_threshold: media.aa_threshold,
         }
+    }
+
+    /// How many steps method 3 takes through an interval.
+    fn steps(&self) -> u32 {
+        (self.min / 2 + 1).max(2)
     }
 }
 
@@ -239,7 +245,7 @@ impl Tracer<'_> {
         let whole: Range = (0.0, depth);
         let along = Along::new(media, leader, *ray, &[]);
         let intervals = intervals(&[(whole, false)], leader);
-        exp(-self.integrate(&along, intervals).1)
+        exp(-self.optical_depth(&along, intervals))
     }
 }
 
