@@ -268,7 +268,7 @@ impl Walk {
             surface = surface.intersection(&bound_box);
         }
         let mut made = group(op, &own, &self.leaves, clips, bounds);
-        made.solid = Solid::new(&made, at, &self.leaves, &self.groups).map(Box::new);
+        made.solid = Solid::new(&made, &self.leaves, &self.groups).map(Box::new);
         self.groups[at as usize] = made;
         Ok(Built::new(
             Member { node: NodeRef::group(at as usize), skip },

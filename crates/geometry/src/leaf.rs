@@ -131,6 +131,13 @@ impl Leaves {
         Some(at(local.t, local))
     }
 
+    /// The nearest hit of one leaf. Not inlined: from a loop the compiler would take out what any shape may ask of the
+    /// ray, and work it out for every leaf.
+    #[inline(never)]
+    pub(crate) fn nearest(&self, index: u32, ray: &Ray, range: (f64, f64)) -> Option<Hit> {
+        self.closest(index, ray, range, &|_| false)
+    }
+
     /// Collects every hit of one leaf in its shape's own coordinates, near ones first, where the shape has but a few;
     /// `None` where it may have more. Returns what to divide distances by.
     #[inline]

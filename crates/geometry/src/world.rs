@@ -235,7 +235,7 @@ impl Geometry {
         for member in self.few.iter().filter(|member| member.skip & class.bit() == 0) {
             let Node::Leaf(leaf) = member.node.node() else { continue };
             let far = best.map_or(range.1, |hit| hit.t);
-            best = self.tree.leaves.closest(leaf, ray, (range.0, far), &|_| false).or(best);
+            best = self.tree.leaves.nearest(leaf, ray, (range.0, far)).or(best);
         }
         best
     }

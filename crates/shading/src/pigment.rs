@@ -262,9 +262,10 @@ impl Pigment {
     }
 
     /// Its colour, where that is the same everywhere.
-    pub fn even_color(&self) -> Option<Color> {
+    #[inline]
+    pub fn even_color(&self) -> Option<&Color> {
         match &self.kind {
-            Kind::Solid(color) => Some(*color),
+            Kind::Solid(color) => Some(color),
             _ => None,
         }
     }

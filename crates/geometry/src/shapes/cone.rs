@@ -1,6 +1,7 @@
 //! The cone, and the cylinder as the cone of equal radii.
 use raggio_math::{Aabb, Affine, EPS, Ray, Vec3};
 
+use super::quadric::two_roots;
 use super::{Few, Stretch, beyond, clearly_beyond, start_along};
 use crate::{LocalHit, Surface};
 
@@ -94,9 +95,10 @@ impl Cone {
         let shift = to_middle.dot(ray.dir) / ray.dir.length_squared();
         let (oh, offset) = self.split(ray.at(shift) - self.base);
         let (dh, across) = self.split(ray.dir);
+        let per_height = 1.0 / dh;
         let caps = match dh != 0.0 {
-            true if dh > 0.0 => (-oh / dh, (self.length - oh) / dh),
-            true => ((self.length - oh) / dh, -oh / dh),
+            true if dh > 0.0 => (-oh * per_height, (self.length - oh) * per_height),
+            true => ((self.length - oh) * per_height, -oh * per_height),
             false if oh >= 0.0 && oh <= self.length => (f64::NEG_INFINITY, f64::INFINITY),
             false => return None,
         };
@@ -123,13 +125,9 @@ impl Cone {
                 _ => after(-0.5 * c / b),
             };
         }
-        let discriminant = b * b - a * c;
-        if discriminant <= 0.0 || discriminant.is_nan() {
+        let Some((first, last)) = two_roots(a, b, c) else {
             return if a > 0.0 { NOWHERE } else { caps };
-        }
-        let q = -(b + discriminant.sqrt().copysign(b));
-        let (s, t) = (q / a, if q == 0.0 { 0.0 } else { c / q });
-        let (first, last) = if s < t { (s, t) } else { (t, s) };
+        };
         if a > 0.0 {
             return (after(first).0, before(last).1);
         }

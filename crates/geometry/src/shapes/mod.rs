@@ -6,6 +6,7 @@ mod collect;
 mod cone;
 mod container;
 mod disc;
+mod extruded;
 mod height_field;
 mod hypercomplex;
 mod isosurface;
