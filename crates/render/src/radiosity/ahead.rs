@@ -43,7 +43,8 @@ pub(super) struct Guesses {
 impl Tracer<'_> {
     /// Shoots all rays of a gather, if threads may help with that.
     pub(super) fn look_ahead(&self, gather: &Gather<'_>) -> Option<Guesses> {
-        let state = self.radiosity.as_ref().filter(|s| s.made.is_some() && self.photons.is_none())?;
+        let state = self.radiosity.as_ref().filter(|_| self.photons.is_none())?;
+        state.turns.filter(|turns| turns.is_anyone_idle())?;
         let room = self.stack_left();
         let all = gather.directions.par_iter().enumerate().with_min_len(FEWEST).map_init(
             || self.helper(room),
@@ -54,7 +55,7 @@ impl Tracer<'_> {
                 Guess { brought, asked: asked.unwrap_or_default(), streams: helper.streams }
             },
         );
-        Some(Guesses { all: all.collect(), streams: self.streams, made: state.made.as_ref()?.len() })
+        Some(Guesses { all: all.collect(), streams: self.streams, made: state.made.len() })
     }
 
     /// A tracer for another thread that sees what this one sees. It makes no samples.
@@ -65,7 +66,8 @@ impl Tracer<'_> {
             own: super::Cache::default(),
             cursors: Vec::new(),
             asked: Some(Asked::default()),
-            made: None,
+            turns: None,
+            made: Vec::new(),
             ..*state
         });
         helper
@@ -74,7 +76,7 @@ impl Tracer<'_> {
     /// What ray number `i` brings, if that is what it would bring now.
     pub(super) fn foreseen(&mut self, guesses: &Guesses, i: u32) -> Option<Brought> {
         let guess = guesses.all.get(i as usize)?;
-        let made = self.radiosity.as_ref()?.made.as_ref()?.get(guesses.made..)?;
+        let made = self.radiosity.as_ref()?.made.get(guesses.made..)?;
         let bears = |(depth, sample): &(u32, Sample)| {
             guess.asked.queries.iter().any(|(d, query)| d == depth && sample.counts_at(query))
         };

@@ -207,8 +207,8 @@ impl State<'_> {
         // The error may be raised by a quarter for surfaces that count little.
         let reach = sample.mean_distance * (f64::from(settings.error_bound) + 0.25) * scale;
         let shrink = if self.depth == 0 { 1.0 } else { 8.0 };
-        if let Some(made) = &mut self.made {
-            made.push((self.depth, sample.clone()));
+        if self.turns.is_some() {
+            self.made.push((self.depth, sample.clone()));
         }
         self.own.insert(self.depth, sample, reach / shrink);
     }

@@ -2,8 +2,8 @@
 //! the irradiance cache of Ward, Rubinstein and Clear 1988).
 //!
 //! The picture does not depend on threads: samples of a pass are seen by later passes, and within the pass only by
-//! the group of tiles that made them. Pass k has 2^k groups; in the first one, which has no work for a second thread,
-//! threads share the rays of each new sample.
+//! the group of tiles that made them. Pass k has 2^k groups; threads without a
+//! group help with the rays of new samples.
 mod ahead;
 mod cache;
 mod gather;
@@ -13,6 +13,7 @@ use raggio_image::{Rgb, grey};
 use raggio_math::Vec3;
 use raggio_scene::RadiositySettings;
 
+use crate::film::Turns;
 use crate::integrator::Tracer;
 use crate::integrator::surface::SurfacePoint;
 use ahead::Asked;
@@ -78,8 +79,10 @@ pub struct State<'w> {
     pretrace: bool,
     /// How well the light of the present ray is known.
     ray_quality: f32,
-    /// The samples made, with their depths, where idle threads may shoot rays before their turn.
-    made: Option<Vec<(u32, Sample)>>,
+    /// The work of all threads, of which those that have none left help with gathers.
+    turns: Option<&'w Turns>,
+    /// With helpers: the samples made, with their depths.
+    made: Vec<(u32, Sample)>,
     /// Of a helper: the samples of the group that it works for.
     before: Option<&'w Cache>,
     /// Of a helper: what the present ray wants to know. Helpers make no samples.
@@ -97,15 +100,16 @@ impl<'w> State<'w> {
             depth: 0,
             pretrace,
             ray_quality: 1.0,
-            made: None,
+            turns: None,
+            made: Vec::new(),
             before: None,
             asked: None,
         }
     }
 
-    /// The same for a group beside which no other is at work.
-    pub fn with_helpers(self) -> Self {
-        State { made: Some(Vec::new()), ..self }
+    /// The same with the help of threads that have no turn left.
+    pub fn with_helpers_of(self, turns: &'w Turns) -> Self {
+        State { turns: Some(turns), ..self }
     }
 
     /// Surfaces that the camera sees need no lights before the final picture.
