@@ -118,6 +118,12 @@ impl Touched {
         std::mem::replace(&mut self.mask, rest) != rest
     }
 
+    /// The places of all boxes touched, as bits.
+    #[inline]
+    pub fn places(&self) -> u32 {
+        self.mask
+    }
+
     /// The places of all boxes touched, in their order in the row.
     #[inline]
     pub fn each(self, mut visit: impl FnMut(usize)) {

@@ -173,7 +173,7 @@ impl Tree {
         stops: &F,
     ) -> Option<Hit> {
         if let Some(solid) = &group.solid
-            && let Some(found) = solid.closest(self, &probe.ray, range)
+            && let Some(found) = solid.closest(self, group, probe, range)
         {
             return found;
         }
@@ -299,7 +299,7 @@ impl Tree {
         if let Some(solid) = &group.solid {
             let hits = &mut scratch.lists().hits;
             let start = hits.len();
-            let swept = solid.sweep(self, &probe.ray, range, |end| {
+            let swept = solid.sweep(self, group, probe, range, |end| {
                 hits.push(end.hit(self, &probe.ray)?);
                 Some(true)
             });
