@@ -234,8 +234,8 @@ impl Solid {
         Some(best)
     }
 
-    /// Calls `found` with the ends of its group that are hits, the nearest first, for as long as it answers true. `None` where the
-    /// sweep, or `found`, cannot tell: what was found so far is void.
+    /// Calls `found` with the ends that are hits, the nearest first, for as long as it answers true. `None` where the
+    /// sweep, or `found`, cannot tell: what was found so far is void. `group` is the one that it was made of.
     pub(crate) fn sweep(
         &self,
         tree: &Tree,

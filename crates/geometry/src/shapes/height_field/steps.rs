@@ -135,3 +135,44 @@ impl Steps {
         next.is_some()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use raggio_math::Vec3;
+
+    /// Whichever blocks are passed by, the ray is in the middle of its stretch over the block that it is said to be
+    /// over, and no stretch is left out.
+    #[test]
+    fn blocks_follow_the_ray_without_gaps() {
+        let (columns, rows, top) = (13, 7, 4);
+        let mut blocks = 0;
+        for k in 0..4000u32 {
+            let turn = Vec3::new(f64::from(k).cos(), 0.3, f64::from(k).sin());
+            let dir = [turn, Vec3::new(turn.x, 0.0, 0.0), Vec3::new(0.0, 0.0, turn.z)][k as usize % 3];
+            let start = Vec3::new(f64::from(k % 53) * 0.25, 0.0, f64::from(k % 29) * 0.25);
+            let ray = Ray::new(start.min(Vec3::new(13.0, 0.0, 7.0)), dir);
+            let mut steps = Steps::new(&ray, 0.0, (columns, rows), top);
+            loop {
+                let block = steps.block();
+                if block.level > 0 && (block.i + block.j + k as usize) % 3 > 0 {
+                    steps.refine();
+                    continue;
+                }
+                let size = f64::from(1 << block.level);
+                let middle = ray.at(0.5 * (steps.at + block.exit));
+                if block.exit > steps.at + 1e-9 && block.exit < 1e9 {
+                    let (x, z) = (middle.x / size - block.i as f64, middle.z / size - block.j as f64);
+                    assert!((0.0..=1.0).contains(&x) && (0.0..=1.0).contains(&z), "{ray:?}: {middle}");
+                    blocks += 1;
+                }
+                let at = block.exit;
+                if !steps.leave(&block) {
+                    break;
+                }
+                assert_eq!(steps.at, at);
+            }
+        }
+        assert!(blocks > 10_000, "{blocks}");
+    }
+}
