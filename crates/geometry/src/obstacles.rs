@@ -6,7 +6,7 @@ use crate::index::ENOUGH;
 use crate::probe::Probe;
 use crate::shaft::Standing;
 use crate::solid::Solid;
-use crate::tree::{Member, Node, NodeRef, Scratch};
+use crate::tree::{Group, Member, Node, NodeRef, Scratch};
 use crate::{Geometry, Hit, RayClass};
 
 /// Who follows a shadow ray.
@@ -113,7 +113,8 @@ impl Geometry {
             }
             Node::Group(group) => &self.tree.groups[group as usize],
         };
-        let swept = group.solid.as_ref().and_then(|solid| self.solid_stops(solid, way, obstacles));
+        let solid = group.solid.as_ref();
+        let swept = solid.and_then(|solid| self.solid_stops(solid, group, way, obstacles));
         swept.unwrap_or_else(|| self.group_stops(member.node, way, scratch, obstacles))
     }
 
@@ -151,11 +152,17 @@ impl Geometry {
     }
 
     /// `None` where the sweep cannot tell.
-    fn solid_stops(&self, solid: &Solid, way: &Way<'_>, obstacles: &mut impl Obstacles) -> Option<bool> {
+    fn solid_stops(
+        &self,
+        solid: &Solid,
+        group: &Group,
+        way: &Way<'_>,
+        obstacles: &mut impl Obstacles,
+    ) -> Option<bool> {
         let mut hits: SmallVec<[Hit; 6]> = SmallVec::new();
         let mut stopped = false;
         let ray = &way.probe.ray;
-        solid.sweep(&self.tree, ray, way.range, |end| {
+        solid.sweep(&self.tree, group, way.probe, way.range, |end| {
             stopped = obstacles.stops(end.leaf());
             if !stopped {
                 hits.push(if obstacles.is_plain(end.leaf()) {

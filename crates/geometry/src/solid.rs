@@ -8,6 +8,7 @@ use raggio_math::Ray;
 
 use crate::body::Body;
 use crate::leaf::Leaves;
+use crate::probe::Probe;
 use crate::tree::{Group, Node, NodeRef, Op, Tree};
 use crate::{Hit, LocalHit};
 use limits::First;
@@ -31,6 +32,8 @@ pub(crate) struct Solid {
     limited: bool,
     /// Is it a merge, and of few?
     united: bool,
+    /// Are its parts the members of its group, each inside its box?
+    boxed: bool,
     /// How many members of each level contain a ray that is in none of the bodies.
     outside: [u8; MOST_LEVELS],
 }
@@ -128,6 +131,7 @@ impl Solid {
             levels: Vec::new(),
             limited: false,
             united: false,
+            boxed: false,
             outside: [0; MOST_LEVELS],
         };
         solid.add_group(group, None, false, leaves, groups)?;
@@ -138,11 +142,14 @@ impl Solid {
         solid.united = solid.levels.iter().all(|level| level.op == Op::Merge)
             && solid.parts.iter().all(|part| !part.inverted)
             && solid.parts.len() <= MOST_UNITED;
+        solid.boxed = solid.levels.len() == 1 && solid.parts.iter().all(|part| part.body.is_bounded());
         let mut walk = Walk::outside(&solid);
         for part in solid.parts.iter().filter(|part| part.inverted) {
             walk.change(part.level, true);
         }
         solid.outside = walk.counts;
+        solid.parts.shrink_to_fit();
+        solid.levels.shrink_to_fit();
         Some(solid)
     }
 
@@ -212,24 +219,32 @@ impl Solid {
 
     /// The nearest hit; `None` where the sweep cannot tell.
     #[inline]
-    pub(crate) fn closest(&self, tree: &Tree, ray: &Ray, range: (f64, f64)) -> Option<Option<Hit>> {
+    pub(crate) fn closest(
+        &self,
+        tree: &Tree,
+        group: &Group,
+        probe: &Probe,
+        range: (f64, f64),
+    ) -> Option<Option<Hit>> {
         let mut best = None;
-        self.sweep(tree, ray, range, |end| {
-            best = Some(end.hit(tree, ray)?);
+        self.sweep(tree, group, probe, range, |end| {
+            best = Some(end.hit(tree, &probe.ray)?);
             Some(false)
         })?;
         Some(best)
     }
 
-    /// Calls `found` with the ends that are hits, the nearest first, for as long as it answers true. `None` where the
+    /// Calls `found` with the ends of its group that are hits, the nearest first, for as long as it answers true. `None` where the
     /// sweep, or `found`, cannot tell: what was found so far is void.
     pub(crate) fn sweep(
         &self,
         tree: &Tree,
-        ray: &Ray,
+        group: &Group,
+        probe: &Probe,
         mut range: (f64, f64),
         mut found: impl FnMut(Counted<'_>) -> Option<bool>,
     ) -> Option<()> {
+        let ray = &probe.ray;
         if self.limited {
             let mut goes_on = |end: End| {
                 let part = &self.parts[end.part as usize];
@@ -253,7 +268,7 @@ impl Solid {
             }
         }
         if self.united {
-            match self.united(ray, range, &mut found)? {
+            match self.united(group, probe, range, &mut found)? {
                 None => return Some(()),
                 Some(from) => range.0 = from,
             }

@@ -95,10 +95,9 @@ impl Cone {
         let shift = to_middle.dot(ray.dir) / ray.dir.length_squared();
         let (oh, offset) = self.split(ray.at(shift) - self.base);
         let (dh, across) = self.split(ray.dir);
-        let per_height = 1.0 / dh;
         let caps = match dh != 0.0 {
-            true if dh > 0.0 => (-oh * per_height, (self.length - oh) * per_height),
-            true => ((self.length - oh) * per_height, -oh * per_height),
+            true if dh > 0.0 => (-oh / dh, (self.length - oh) / dh),
+            true => ((self.length - oh) / dh, -oh / dh),
             false if oh >= 0.0 && oh <= self.length => (f64::NEG_INFINITY, f64::INFINITY),
             false => return None,
         };

@@ -4,6 +4,8 @@ use raggio_math::Ray;
 
 use super::{CLOSE, Counted, Solid};
 use crate::body::Ready;
+use crate::probe::Probe;
+use crate::tree::Group;
 
 /// Merges of more bodies than this are walked.
 pub(super) const MOST_UNITED: usize = 12;
@@ -20,19 +22,21 @@ impl Stretches {
     const NONE: Stretches =
         Stretches { enter: [0.0; MOST_UNITED], leave: [0.0; MOST_UNITED], part: [0; MOST_UNITED], len: 0 };
 
-    /// Adds all that reach into the range; false where one of them lies beyond its ends. Not inlined: what bodies ask
+    /// Adds those of the parts whose bits are given that reach into the range; false where one of them lies beyond its ends. Not inlined: what bodies ask
     /// of the ray alone would be worked out before it is known that there are any.
     #[inline(never)]
-    fn add_all(&mut self, solid: &Solid, ray: &Ray, from: f64, to: f64) -> bool {
+    fn add_all(&mut self, solid: &Solid, mut parts: u32, ray: &Ray, from: f64, to: f64) -> bool {
         let mut ready = Ready::new();
-        for (i, part) in solid.parts.iter().enumerate() {
-            let stretch = part.body.stretch(ray, &mut ready);
+        while parts != 0 {
+            let i = parts.trailing_zeros();
+            parts &= parts - 1;
+            let stretch = solid.parts[i as usize].body.stretch(ray, &mut ready);
             if stretch.beyond || self.len == MOST_UNITED {
                 return false;
             }
             if stretch.leave > from && stretch.enter < to {
                 (self.enter[self.len], self.leave[self.len]) = (stretch.enter, stretch.leave);
-                self.part[self.len] = i as u32;
+                self.part[self.len] = i;
                 self.len += 1;
             }
         }
@@ -97,12 +101,18 @@ impl Solid {
     #[inline]
     pub(super) fn united(
         &self,
-        ray: &Ray,
+        group: &Group,
+        probe: &Probe,
         range: (f64, f64),
         mut found: impl FnMut(Counted<'_>) -> Option<bool>,
     ) -> Option<Option<f64>> {
+        let all = (1 << self.parts.len()) - 1;
+        let parts = if self.boxed { group.surfaces.touched(probe, range).unwrap_or(all) } else { all };
+        if parts == 0 {
+            return Some(None);
+        }
         let mut stretches = Stretches::NONE;
-        if !stretches.add_all(self, ray, range.0, range.1) {
+        if !stretches.add_all(self, parts, &probe.ray, range.0, range.1) {
             return Some(Some(range.0));
         }
         if stretches.len == 0 {

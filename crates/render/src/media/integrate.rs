@@ -254,6 +254,18 @@ fn mean_phase(media: &Joined<'_>, cosine: f64) -> f32 {
     (sum / media.len() as f64) as f32
 }
 
+impl Sample {
+    #[inline(always)]
+    fn times(self, v: f32) -> Sample {
+        Sample { glow: self.glow * v, dim: self.dim * v }
+    }
+
+    #[inline(always)]
+    fn plus(self, other: Sample) -> Sample {
+        Sample { glow: self.glow + other.glow, dim: self.dim + other.dim }
+    }
+}
+
 /// The mean between two samples, with more samples between them where their light differs.
 fn refine(
     sample: &mut impl FnMut(f64, f64) -> Sample,
@@ -265,26 +277,19 @@ fn refine(
 ) -> Sample {
     let d = (ends.0 + ends.1) / 2.0;
     let m = sample(d, ends.1 - ends.0);
-    let mix = |a: &Sample, wa: f32, b: &Sample, wb: f32| Sample {
-        glow: a.glow * wa + b.glow * wb,
-        dim: a.dim * wa + b.dim * wb,
-    };
+    let third = 1.0 / 3.0;
     if level <= 0 {
-        return mix(&mix(&a, 1.0 / 3.0, &m, 1.0 / 3.0), 1.0, &b, 1.0 / 3.0);
+        return a.times(third).plus(m.times(third)).plus(b.times(third));
     }
-    let differs = |x: &Sample| (x.glow - m.glow).abs().element_sum() > threshold;
-    let mut half = |end: &Sample, left: bool| {
-        if !differs(end) {
-            return mix(end, 1.0 / 3.0, &m, 1.0 / 6.0);
-        }
-        let inner = if left {
-            refine(sample, (ends.0, d), a, m, level - 1, threshold)
-        } else {
-            refine(sample, (d, ends.1), m, b, level - 1, threshold)
-        };
-        mix(&inner, 0.5, &inner, 0.0)
+    let half = m.times(1.0 / 6.0);
+    let differs = |x: Sample| (x.glow - m.glow).abs().element_sum() > threshold;
+    let left = match differs(a) {
+        true => refine(sample, (ends.0, d), a, m, level - 1, threshold).times(0.5),
+        false => a.times(third).plus(half),
     };
-    let left = half(&a, true);
-    let right = half(&b, false);
-    mix(&left, 1.0, &right, 1.0)
+    let right = match differs(b) {
+        true => refine(sample, (d, ends.1), m, b, level - 1, threshold).times(0.5),
+        false => b.times(third).plus(half),
+    };
+    left.plus(right)
 }

@@ -63,9 +63,6 @@ impl Tracer<'_> {
             if !entry.same {
                 continue;
             }
-            let cosine = entry.n.dot(ray.dir).abs().max(0.01);
-            let area = 4.0 * PI * (entry.t * site.mm_per_unit).powi(2) / cosine;
-            let answer = site.coefficients.dipole((entry.p - x).length() * site.mm_per_unit);
             let mut light = Rgb::ZERO;
             for &i in site.point.lights {
                 let source = &self.world.lights[i as usize];
@@ -73,6 +70,12 @@ impl Tracer<'_> {
                 let c = entry.n.dot(dir).abs();
                 light += arriving * (c * fresnel_transmission(site.eta, c)) as f32;
             }
+            if light == Rgb::ZERO {
+                continue;
+            }
+            let cosine = entry.n.dot(ray.dir).abs().max(0.01);
+            let area = 4.0 * PI * (entry.t * site.mm_per_unit).powi(2) / cosine;
+            let answer = site.coefficients.dipole((entry.p - x).length() * site.mm_per_unit);
             sum += light * answer * (area * leaving) as f32;
         }
         if hits > 0 { sum / hits as f32 } else { Rgb::ZERO }
