@@ -7,7 +7,7 @@ use raggio_scene::{Curve2, CurveKind};
 use super::collect::{Collect, searched_from};
 use super::outline::{Outline, point, slope};
 use super::plane_tree::{Line, PlaneTree};
-use super::revolve::{Sweep, barrel_bounds, circle_reach, clip_to_barrel, radius_squared};
+use super::revolve::{Sweep, barrel_bounds, circle_reach, clip_to_barrel, radius, radius_squared};
 use super::turn;
 use crate::{LocalHit, Surface};
 
@@ -294,11 +294,11 @@ impl Surface for Lathe {
     }
 
     fn inside(&self, p: Vec3) -> bool {
-        self.profile.contains(Vec2::new(p.x.hypot(p.z), p.y))
+        self.profile.contains(Vec2::new(radius(p), p.y))
     }
 
     fn normal(&self, p: Vec3, hit: &LocalHit) -> Vec3 {
-        let rho = p.x.hypot(p.z);
+        let rho = radius(p);
         if rho * rho <= raggio_math::EPS {
             return Vec3::Y;
         }

@@ -2,7 +2,7 @@
 use raggio_math::{Aabb, Ray, Vec2, Vec3, poly};
 
 use super::collect::{Collect, searched_from};
-use super::revolve::{barrel_bounds, clip_to_barrel};
+use super::revolve::{barrel_bounds, clip_to_barrel, radius};
 use super::torus::torus_curve;
 use super::turn;
 use crate::{LocalHit, Surface};
@@ -133,7 +133,7 @@ impl Surface for Ovus {
             return true;
         }
         let j = &self.join;
-        let off = Vec2::new(p.x.hypot(p.z) + j.inset, p.y - j.height);
+        let off = Vec2::new(radius(p) + j.inset, p.y - j.height);
         j.from < p.y && p.y < j.to && off.length_squared() < j.radius * j.radius
     }
 
@@ -142,7 +142,7 @@ impl Surface for Ovus {
             BOTTOM => p,
             TOP => Vec3::new(p.x, p.y - self.bottom, p.z),
             _ => {
-                let rho = p.x.hypot(p.z);
+                let rho = radius(p);
                 let k = if rho > 0.0 { 1.0 + self.join.inset / rho } else { 0.0 };
                 Vec3::new(p.x * k, p.y - self.join.height, p.z * k)
             }

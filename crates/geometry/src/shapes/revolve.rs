@@ -35,6 +35,12 @@ pub(crate) fn clip_to_slab(o: f64, d: f64, slab: (f64, f64), range: (f64, f64)) 
     (lo <= hi).then_some((lo, hi))
 }
 
+/// The distance from the axis. Not by way of `hypot`, which takes much longer and minds only what is as large as 1e150.
+#[inline(always)]
+pub(crate) fn radius(p: Vec3) -> f64 {
+    (p.x * p.x + p.z * p.z).sqrt()
+}
+
 /// `x^2 + z^2` along the ray, coefficients rising.
 #[inline(always)]
 pub(crate) fn radius_squared(ray: &Ray) -> [f64; 3] {

@@ -3,7 +3,7 @@
 use raggio_math::{Aabb, EPS, Ray, Vec2, Vec3, poly};
 
 use super::collect::{Collect, Offset, searched_from};
-use super::revolve::{barrel_bounds, circle_reach, clip_to_barrel, radius_squared};
+use super::revolve::{barrel_bounds, circle_reach, clip_to_barrel, radius, radius_squared};
 use super::turn;
 use crate::{LocalHit, Surface};
 
@@ -197,7 +197,7 @@ impl Surface for Sor {
     }
 
     fn uv(&self, p: Vec3, hit: &LocalHit) -> Option<Vec2> {
-        let share = |y: f64| p.x.hypot(p.z) / self.segment_at(y).map_or(1.0, |s| s.radius_squared(y).sqrt());
+        let share = |y: f64| radius(p) / self.segment_at(y).map_or(1.0, |s| s.radius_squared(y).sqrt());
         let v = match hit.part {
             BASE => share(self.segments[0].base) - 1.0,
             TOP => 2.0 - share(self.segments[self.segments.len() - 1].top),

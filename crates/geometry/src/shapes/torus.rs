@@ -2,7 +2,7 @@
 use raggio_math::{Aabb, Ray, Vec2, Vec3, poly};
 
 use super::collect::{Collect, searched_from};
-use super::revolve::{circle_reach, clip_to_barrel};
+use super::revolve::{circle_reach, clip_to_barrel, radius};
 use crate::{LocalHit, Surface};
 
 const LEAST: f64 = 1e-4;
@@ -79,12 +79,12 @@ impl Surface for Torus {
     }
 
     fn inside(&self, p: Vec3) -> bool {
-        let rho = p.x.hypot(p.z) - self.major;
+        let rho = radius(p) - self.major;
         rho * rho + p.y * p.y <= self.minor * self.minor
     }
 
     fn normal(&self, p: Vec3, _hit: &LocalHit) -> Vec3 {
-        let rho = p.x.hypot(p.z);
+        let rho = radius(p);
         let away = if rho < raggio_math::EPS {
             p
         } else {
@@ -95,7 +95,7 @@ impl Surface for Torus {
     }
 
     fn uv(&self, p: Vec3, _hit: &LocalHit) -> Option<Vec2> {
-        let rho = p.x.hypot(p.z);
+        let rho = radius(p);
         Some(Vec2::new(1.0 - share(p.z, p.x), share(p.y, rho - self.major)))
     }
 }
