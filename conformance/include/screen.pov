@@ -6,6 +6,7 @@ Set_Camera(<3, 2, -6>, <0, 0.5, 0>, 50)
 Set_Camera_Aspect(4, 3)
 light_source { <3, 5, -6> rgb 1 }
 light_source { <3.6, 2.4, -9> rgb <0.3, 0.5, 0.9> }
+fog { distance 12 rgb <0.5, 0.6, 0.8> }
 plane { y, 0 pigment { rgb 0.8 } }
 sphere { y, 1 pigment { rgb <0.9, 0.4, 0.3> } }
 Screen_Object(sphere { 0, 0.1 pigment { rgb <0.2, 0.9, 0.3> } }, <1, 1>, 0.02, true, 0.3)
