@@ -22,8 +22,8 @@ impl Stretches {
     const NONE: Stretches =
         Stretches { enter: [0.0; MOST_UNITED], leave: [0.0; MOST_UNITED], part: [0; MOST_UNITED], len: 0 };
 
-    /// Adds those of the parts whose bits are given that reach into the range; false where one of them lies beyond its ends. Not inlined: what bodies ask
-    /// of the ray alone would be worked out before it is known that there are any.
+    /// Adds those of the parts whose bits are given that reach into the range; false where one of them lies beyond its
+    /// ends. Not inlined: what bodies ask of the ray alone would be worked out before it is known that there are any.
     #[inline(never)]
     fn add_all(&mut self, solid: &Solid, mut parts: u32, ray: &Ray, from: f64, to: f64) -> bool {
         let mut ready = Ready::new();
