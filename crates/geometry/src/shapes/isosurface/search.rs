@@ -19,7 +19,7 @@ const TELLING: f64 = 0.9;
 pub(super) struct Search<'a> {
     surface: &'a Isosurface,
     /// In the object's coordinates; its direction is as long as a world unit is there.
-    ray: Ray,
+    ray: &'a Ray,
     /// The length of the direction.
     stretch: f64,
     pub sign: f64,
@@ -41,7 +41,7 @@ struct Progress {
 }
 
 impl<'a> Search<'a> {
-    pub(super) fn new(surface: &'a Isosurface, ray: Ray) -> Self {
+    pub(super) fn new(surface: &'a Isosurface, ray: &'a Ray) -> Self {
         let stretch = ray.dir.length();
         Search { surface, ray, stretch, sign: 1.0, gradient: surface.max_gradient, proved: true }
     }
