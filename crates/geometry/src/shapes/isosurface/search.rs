@@ -14,7 +14,7 @@ use super::grid::{Grid, Sample};
 use super::walk::Walk;
 
 /// Slopes that spread over more than this share of what the maximal gradient allows tell nothing.
-const TELLING: f64 = 0.9;
+pub(super) const TELLING: f64 = 0.9;
 
 /// The function along a ray, above the threshold or, with the sign turned, below it.
 pub(super) struct Search<'a> {
@@ -39,6 +39,8 @@ struct Progress {
     last: Option<Sample>,
     /// What the value is surely not below where the walk stands.
     least: f64,
+    /// Was the function looked at where it may rise and fall?
+    bent: bool,
 }
 
 impl<'a> Search<'a> {
@@ -126,7 +128,7 @@ impl<'a> Search<'a> {
             let steepest = Range::within(self.gradient * self.stretch);
             return self.first(&grid, first, last, steepest).map(|s| s.t);
         };
-        let mut progress = Progress { done: 0, unknown_from: 0, last: first, least: value.lo };
+        let mut progress = Progress { done: 0, unknown_from: 0, last: first, least: value.lo, bent: false };
         while let Some((cell, stretch)) =
             walk.next(|cell, stretch| self.is_free(cell, stretch, &mut progress.least))
         {
@@ -137,6 +139,9 @@ impl<'a> Search<'a> {
             let entry = (stretch, std::mem::replace(&mut progress.least, f64::NEG_INFINITY));
             if first <= last {
                 let found = self.in_stretch(&grid, (first, last), entry, cell.model(), &mut progress);
+                if std::mem::take(&mut progress.bent) {
+                    walk.looked_into(cell);
+                }
                 if let Some(index) = found {
                     return Some(grid.at(index));
                 }
@@ -207,6 +212,7 @@ impl<'a> Search<'a> {
         let least = a.value.lo.max(least + met.lo * (a.t - enter));
         if met == slope && grid.is_fine() {
             let b = (b.t, b.value.lo);
+            progress.bent = true;
             return match self.first_of(grid, (first, last), (a.t, least), b, &Slopes::new(slope)) {
                 Ok(found) => Some(found),
                 Err((t, value)) => {
