@@ -164,9 +164,10 @@ impl Kernel for Avx2 {
         let slack = _mm256_set1_ps(SLACK);
         for k in 0..3 {
             let inverse = _mm256_set1_ps(slab.inverse[k]);
-            let (enter, leave) = (&node.bounds[slab.near[k]], &node.bounds[slab.far[k]]);
-            // SAFETY: both point to eight floats, aligned to 32 bytes as rows of a `Node`.
-            let (enter, leave) = unsafe { (_mm256_load_ps(enter.as_ptr()), _mm256_load_ps(leave.as_ptr())) };
+            // SAFETY: a slab's sides come from `SIDES`, which names no others than the six that there are; each is
+            // eight floats, aligned to 32 bytes as a row of a `Node`.
+            let side = |side: usize| unsafe { _mm256_load_ps(node.bounds.get_unchecked(side).as_ptr()) };
+            let (enter, leave) = (side(slab.near[k]), side(slab.far[k]));
             let a = _mm256_mul_ps(_mm256_sub_ps(enter, _mm256_set1_ps(slab.origin_near[k])), inverse);
             let b = _mm256_mul_ps(_mm256_sub_ps(leave, _mm256_set1_ps(slab.origin_far[k])), inverse);
             // Both keep the second operand where one is not a number, as the scalar comparisons do.

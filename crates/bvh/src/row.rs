@@ -7,7 +7,7 @@ use raggio_math::Aabb;
 use crate::kernel::Avx2;
 use crate::kernel::{Kernel, Scalar, Slab, simd_available};
 use crate::node::{Node, WIDTH};
-use crate::round::{down, up};
+use crate::round::{down, not_before, not_behind, up};
 
 /// A row of boxes, known by their places in it. Boxes may be empty, and infinite on any side.
 pub struct BoxRow {
@@ -73,7 +73,7 @@ impl BoxRow {
     pub fn touched(&self, slab: &Slab, range: (f64, f64)) -> Touched {
         let mut touched = Touched { mask: 0, near: [0.0; WIDTH], far: [0.0; WIDTH] };
         if slab.finite {
-            let (t0, t1) = (down(range.0.max(0.0)), up(range.1));
+            let (t0, t1) = (not_behind(range.0), not_before(range.1));
             #[cfg(target_arch = "x86_64")]
             if self.simd {
                 // SAFETY: `simd` says that the processor has AVX2.
@@ -116,6 +116,12 @@ impl Touched {
     pub fn take(&mut self, place: usize) -> bool {
         let rest = self.mask & !(1 << place);
         std::mem::replace(&mut self.mask, rest) != rest
+    }
+
+    /// The places of all boxes touched, as bits.
+    #[inline]
+    pub fn places(&self) -> u32 {
+        self.mask
     }
 
     /// The places of all boxes touched, in their order in the row.

@@ -11,7 +11,7 @@ use crate::build::MAX_DEPTH;
 use crate::kernel::Avx2;
 use crate::kernel::{Kernel, Scalar, Slab};
 use crate::node::{Child, Kind, Node, WIDTH};
-use crate::round::{down, up};
+use crate::round::{down, not_before, not_behind, up};
 
 /// A tree over boxes. See [`Bvh::build`].
 pub struct Bvh {
@@ -172,9 +172,8 @@ impl Bvh {
         if self.nodes.is_empty() || !slab.finite {
             return;
         }
-        // Adding 0 makes -0 positive, so that entries order like their bits.
-        let t0 = down(range.0.max(0.0)) + 0.0;
-        let (mut t_max, mut t1) = (range.1, up(range.1));
+        let t0 = not_behind(range.0);
+        let (mut t_max, mut t1) = (range.1, not_before(range.1));
         let mut room = [MaybeUninit::uninit(); STACK];
         let mut stack = Stack { entries: &mut room, len: 0 };
         let (mut near, mut far) = ([0.0; WIDTH], [0.0; WIDTH]);
@@ -199,7 +198,7 @@ impl Bvh {
                     Kind::Leaf(run) => {
                         for &prim in &self.prims[run] {
                             if let Some(t) = visit(prim, t_max) {
-                                (t_max, t1) = (t, up(t));
+                                (t_max, t1) = (t, not_before(t));
                                 if t < 0.0 {
                                     return;
                                 }

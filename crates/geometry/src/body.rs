@@ -19,11 +19,22 @@ pub(crate) enum Body {
         quadric: Quadric,
         centre: Vec3,
     },
-    /// A box at a place: its number and `object_from_world`.
-    PlacedBox(Cuboid, u32, Affine),
-    /// A cone or quadric with `object_from_world`.
-    PlacedCone(Cone, Affine),
-    PlacedQuadric(Quadric, Affine),
+    /// A box at a place, and the number of the place.
+    PlacedBox(u32, Box<Placed<Cuboid>>),
+    PlacedCone(Box<Placed<Cone>>),
+    PlacedQuadric(Box<Placed<Quadric>>),
+}
+
+/// A shape at a place. It is kept apart, so that simpler bodies stay small.
+pub(crate) struct Placed<T> {
+    shape: T,
+    object_from_world: Affine,
+}
+
+impl<T> Placed<T> {
+    fn new(shape: T, object_from_world: Affine) -> Box<Self> {
+        Box::new(Placed { shape, object_from_world })
+    }
 }
 
 impl Body {
@@ -34,10 +45,12 @@ impl Body {
             Prim::Sphere { sphere, .. } => Some(Body::Ball(sphere)),
             Prim::Plane(plane) => Some(Body::Half(plane)),
             Prim::Box(cuboid) => Some(Body::Box(cuboid)),
-            Prim::PlacedBox { cuboid, place: id } => Some(Body::PlacedBox(cuboid, id, place(id))),
+            Prim::PlacedBox { cuboid, place: id } => {
+                Some(Body::PlacedBox(id, Placed::new(cuboid, place(id))))
+            }
             Prim::World(shape) => Body::of_shape(&leaves.shapes[shape as usize], None),
             Prim::Placed { shape, place: id } => match &leaves.shapes[shape as usize] {
-                ShapeKind::Box(cuboid) => Some(Body::PlacedBox(*cuboid, id, place(id))),
+                ShapeKind::Box(cuboid) => Some(Body::PlacedBox(id, Placed::new(*cuboid, place(id)))),
                 shape => Body::of_shape(shape, Some(place(id))),
             },
         }
@@ -48,7 +61,7 @@ impl Body {
             (ShapeKind::Box(cuboid), None) => Body::Box(*cuboid),
             (ShapeKind::Cone(cone), _) if !cone.is_convex() => return None,
             (ShapeKind::Cone(cone), None) => Body::Cone(**cone),
-            (ShapeKind::Cone(cone), Some(place)) => Body::PlacedCone(**cone, place),
+            (ShapeKind::Cone(cone), Some(place)) => Body::PlacedCone(Placed::new(**cone, place)),
             (ShapeKind::Quadric(quadric), place) => Body::quadric(quadric, Vec3::ZERO, place),
             (ShapeKind::Sphere(sphere), place) => {
                 let (centre, radius) = sphere.place();
@@ -69,7 +82,7 @@ impl Body {
             let centre = world_from_object.transform_point3(centre);
             return Body::Quadric { quadric: quadric.turned_by(&object_from_world.matrix3), centre };
         }
-        Body::PlacedQuadric(*quadric, Affine::from_translation(-centre) * object_from_world)
+        Body::PlacedQuadric(Placed::new(*quadric, Affine::from_translation(-centre) * object_from_world))
     }
 
     /// Where the ray is inside. What `ready` keeps from body to body is of this ray.
@@ -81,16 +94,24 @@ impl Body {
             Body::Box(cuboid) => cuboid.stretch(ready.at(Ready::WORLD, || *ray)),
             Body::Cone(cone) => cone.stretch(ray),
             Body::Quadric { quadric, centre } => quadric.stretch(&Ray::new(ray.origin - *centre, ray.dir)),
-            Body::PlacedBox(cuboid, id, place) => cuboid.stretch(ready.at(*id, || ray.transformed(place))),
-            Body::PlacedCone(cone, place) => cone.stretch(&ray.transformed(place)),
-            Body::PlacedQuadric(quadric, place) => quadric.stretch(&ray.transformed(place)),
+            Body::PlacedBox(id, placed) => {
+                placed.shape.stretch(ready.at(*id, || ray.transformed(&placed.object_from_world)))
+            }
+            Body::PlacedCone(placed) => placed.shape.stretch(&ray.transformed(&placed.object_from_world)),
+            Body::PlacedQuadric(placed) => placed.shape.stretch(&ray.transformed(&placed.object_from_world)),
         }
+    }
+
+    /// Is it bounded, so that nothing outside the box of its surface is inside?
+    pub(crate) fn is_bounded(&self) -> bool {
+        use Body::{Ball, Box, Cone, PlacedBox, PlacedCone};
+        matches!(self, Ball(_) | Box(_) | Cone(_) | PlacedBox(..) | PlacedCone(_))
     }
 
     /// Do its hits need words beyond their distance?
     pub(crate) fn has_parts(&self) -> bool {
         use Body::{Box, Cone, PlacedBox, PlacedCone};
-        matches!(self, Box(_) | Cone(_) | PlacedBox(..) | PlacedCone(..))
+        matches!(self, Box(_) | Cone(_) | PlacedBox(..) | PlacedCone(_))
     }
 }
 
@@ -137,7 +158,7 @@ mod tests {
             let object_from_world = world_from_object.inverse();
             let body = Body::quadric(&saddle, Vec3::ZERO, Some(object_from_world));
             assert!(matches!(body, Body::Quadric { .. }));
-            let placed = Body::PlacedQuadric(saddle, object_from_world);
+            let placed = Body::PlacedQuadric(Placed::new(saddle, object_from_world));
             for (x, y, z) in rays {
                 let origin = world_from_object.transform_point3(Vec3::new(x, y, z));
                 let ray = Ray::new(origin, world_from_object.transform_vector3(Vec3::X).normalize());

@@ -13,7 +13,7 @@ use crate::materials::Materials;
 use crate::shape_pool::{PlacedShape, ShapePool};
 use crate::solid::Solid;
 use crate::texturing::{Cutaway, LeafParts, Parts};
-use crate::tree::{Group, Member, NodeRef, Op};
+use crate::tree::{Group, Member, Node, NodeRef, Op};
 use crate::{BuildError, LightGroupId, MaterialId, PlacedLight, RayClass, TextureId};
 
 /// Everything that walking the objects yields.
@@ -109,6 +109,16 @@ fn overreaches(built: &Built) -> bool {
 }
 
 impl Walk {
+    /// Where sweeps tell all but what rounding hides, other short ways need no room.
+    fn drop_what_sweeps_spare(&mut self, group: &mut Group) {
+        group.convex = None;
+        for member in &group.members {
+            if let Node::Group(inner) = member.node.node() {
+                self.groups[inner as usize].solid = None;
+            }
+        }
+    }
+
     /// Compiles an object into members of the group around it, which combines by `around`. Groups that mean the same
     /// as their members in a row are opened; none is where `around` is a merge.
     fn object(
@@ -268,7 +278,10 @@ impl Walk {
             surface = surface.intersection(&bound_box);
         }
         let mut made = group(op, &own, &self.leaves, clips, bounds);
-        made.solid = Solid::new(&made, at, &self.leaves, &self.groups).map(Box::new);
+        made.solid = Solid::new(&made, &self.leaves, &self.groups).map(Box::new);
+        if made.solid.is_some() {
+            self.drop_what_sweeps_spare(&mut made);
+        }
         self.groups[at as usize] = made;
         Ok(Built::new(
             Member { node: NodeRef::group(at as usize), skip },

@@ -124,6 +124,15 @@ impl Index {
         }
     }
 
+    /// Bits of the members on the ray, where they are few.
+    #[inline]
+    pub(crate) fn touched(&self, probe: &Probe, range: (f64, f64)) -> Option<u32> {
+        match self {
+            Index::Few(row) => Some(row.touched(&probe.slab, range).places()),
+            Index::Many { .. } => None,
+        }
+    }
+
     /// Visits the members that may reach into a region, each with a box around it, until `visit` says that it has seen
     /// enough.
     pub(crate) fn within(&self, region: &Region, mut visit: impl FnMut(u32, &Aabb) -> bool) {

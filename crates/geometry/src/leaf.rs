@@ -110,25 +110,56 @@ impl Leaves {
         range: (f64, f64),
         stops: &impl Fn(&Hit) -> bool,
     ) -> Option<Hit> {
+        let mut hit = Hit::NONE;
+        self.closest_into(index, ray, range, stops, &mut hit).then_some(hit)
+    }
+
+    /// Puts the hit that [`Leaves::closest`] finds where it is wanted, and says whether there is one. (Handed on from
+    /// place to place it would be read back in other parts than it was written, which takes long.)
+    #[inline]
+    pub(crate) fn closest_into(
+        &self,
+        index: u32,
+        ray: &Ray,
+        range: (f64, f64),
+        stops: &impl Fn(&Hit) -> bool,
+        out: &mut Hit,
+    ) -> bool {
         let leaf = &self.leaves[index as usize];
         let at = |t: f64, local: LocalHit| Hit { t, leaf: index, inverted: leaf.inverted, local };
-        let local = match &leaf.prim {
-            Prim::Sphere { sphere, .. } => sphere.closest(ray, range)?,
-            Prim::Plane(plane) => plane.closest(ray, range)?,
-            Prim::Box(cuboid) => cuboid.closest(ray, range)?,
+        let mut put = |found: Option<LocalHit>| match found {
+            Some(local) => {
+                *out = at(local.t, local);
+                true
+            }
+            None => false,
+        };
+        match &leaf.prim {
+            Prim::Sphere { sphere, .. } => put(sphere.closest(ray, range)),
+            Prim::Plane(plane) => put(plane.closest(ray, range)),
+            Prim::Box(cuboid) => put(cuboid.closest(ray, range)),
             Prim::PlacedBox { cuboid, place } => {
-                cuboid.closest(&ray.transformed(&self.places[*place as usize]), range)?
+                put(cuboid.closest(&ray.transformed(&self.places[*place as usize]), range))
             }
             Prim::World(s) => {
-                self.shapes[*s as usize].closest_or(ray, range, |local| stops(&at(local.t, *local)))?
+                put(self.shapes[*s as usize].closest_or(ray, range, |local| stops(&at(local.t, *local))))
             }
             Prim::Placed { shape, place } => {
                 let (shape, place) = (&self.shapes[*shape as usize], &self.places[*place as usize]);
-                let (t, local) = closest_placed(shape, place, ray, range, |t, local| stops(&at(t, *local)))?;
-                return Some(at(t, local));
+                let found = closest_placed(shape, place, ray, range, |t, local| stops(&at(t, *local)));
+                found.is_some_and(|(t, local)| {
+                    *out = at(t, local);
+                    true
+                })
             }
-        };
-        Some(at(local.t, local))
+        }
+    }
+
+    /// [`Leaves::closest_into`] for the nearest hit. Not inlined: from a loop the compiler would take out what any shape
+    /// may ask of the ray, and work it out for every leaf.
+    #[inline(never)]
+    pub(crate) fn nearest_into(&self, index: u32, ray: &Ray, range: (f64, f64), out: &mut Hit) -> bool {
+        self.closest_into(index, ray, range, &|_| false, out)
     }
 
     /// Collects every hit of one leaf in its shape's own coordinates, near ones first, where the shape has but a few;

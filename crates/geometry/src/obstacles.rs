@@ -6,7 +6,7 @@ use crate::index::ENOUGH;
 use crate::probe::Probe;
 use crate::shaft::Standing;
 use crate::solid::Solid;
-use crate::tree::{Member, Node, NodeRef, Scratch};
+use crate::tree::{Group, Member, Node, NodeRef, Scratch};
 use crate::{Geometry, Hit, RayClass};
 
 /// Who follows a shadow ray.
@@ -113,7 +113,8 @@ impl Geometry {
             }
             Node::Group(group) => &self.tree.groups[group as usize],
         };
-        let swept = group.solid.as_ref().and_then(|solid| self.solid_stops(solid, way, obstacles));
+        let solid = group.solid.as_ref();
+        let swept = solid.and_then(|solid| self.solid_stops(solid, group, way, obstacles));
         swept.unwrap_or_else(|| self.group_stops(member.node, way, scratch, obstacles))
     }
 
@@ -139,7 +140,7 @@ impl Geometry {
         &self,
         leaf: u32,
         ray: &Ray,
-        mut range: (f64, f64),
+        range: (f64, f64),
         gap: f64,
         obstacles: &mut impl Obstacles,
     ) -> bool {
@@ -147,22 +148,21 @@ impl Geometry {
         if let Some(found) = leaves.closest_of_few(leaf, ray, range, gap, |hit| obstacles.meets(hit)) {
             return found.is_some();
         }
-        while range.0 < range.1 {
-            let Some(hit) = leaves.closest(leaf, ray, range, &|_| false) else { return false };
-            if obstacles.meets(&hit) {
-                return true;
-            }
-            range.0 = hit.t + gap;
-        }
-        false
+        one_stops(range, gap, obstacles, |range, _| leaves.closest(leaf, ray, range, &|_| false))
     }
 
     /// `None` where the sweep cannot tell.
-    fn solid_stops(&self, solid: &Solid, way: &Way<'_>, obstacles: &mut impl Obstacles) -> Option<bool> {
+    fn solid_stops(
+        &self,
+        solid: &Solid,
+        group: &Group,
+        way: &Way<'_>,
+        obstacles: &mut impl Obstacles,
+    ) -> Option<bool> {
         let mut hits: SmallVec<[Hit; 6]> = SmallVec::new();
         let mut stopped = false;
         let ray = &way.probe.ray;
-        solid.sweep(&self.tree, ray, way.range, |end| {
+        solid.sweep(&self.tree, group, way.probe, way.range, |end| {
             stopped = obstacles.stops(end.leaf());
             if !stopped {
                 hits.push(if obstacles.is_plain(end.leaf()) {
@@ -183,16 +183,27 @@ impl Geometry {
         scratch: &mut Scratch,
         obstacles: &mut impl Obstacles,
     ) -> bool {
-        let mut range = way.range;
-        while range.0 < range.1 {
+        one_stops(way.range, way.gap, obstacles, |range, obstacles| {
             let stops = |hit: &Hit| obstacles.stops(hit.leaf);
-            let found = self.tree.closest(node, way.probe, range, RayClass::Shadow.bit(), scratch, &stops);
-            let Some(hit) = found else { return false };
-            if obstacles.stops(hit.leaf) || obstacles.meets(&hit) {
-                return true;
-            }
-            range.0 = hit.t + way.gap;
-        }
-        false
+            self.tree.closest(node, way.probe, range, RayClass::Shadow.bit(), scratch, &stops)
+        })
     }
+}
+
+/// Does one of the surfaces that `closest` finds, one after another, stop the light?
+#[inline(always)]
+fn one_stops<O: Obstacles>(
+    mut range: (f64, f64),
+    gap: f64,
+    obstacles: &mut O,
+    mut closest: impl FnMut((f64, f64), &O) -> Option<Hit>,
+) -> bool {
+    while range.0 < range.1 {
+        let Some(hit) = closest(range, obstacles) else { return false };
+        if obstacles.stops(hit.leaf) || obstacles.meets(&hit) {
+            return true;
+        }
+        range.0 = hit.t + gap;
+    }
+    false
 }

@@ -5,14 +5,15 @@
 //! contain the ray; an end is a hit where the counts of the groups around its leaf say so. Where ends lie so close that
 //! rounding may have put them in the wrong order the point itself is asked, as in all other combinations.
 use raggio_math::Ray;
-use smallvec::SmallVec;
 
-use crate::body::{Body, Ready};
+use crate::body::Body;
 use crate::leaf::Leaves;
-use crate::shapes::Stretch;
+use crate::probe::Probe;
 use crate::tree::{Group, Node, NodeRef, Op, Tree};
 use crate::{Hit, LocalHit};
 use limits::First;
+use united::MOST_UNITED;
+use walk::Walk;
 
 /// So many leaves, and groups, a combination may have.
 const MOST_PARTS: usize = 64;
@@ -29,6 +30,10 @@ pub(crate) struct Solid {
     levels: Vec<Level>,
     /// Does every part hold or bar all others?
     limited: bool,
+    /// Is it a merge, and of few?
+    united: bool,
+    /// Are its parts the members of its group, each inside its box?
+    boxed: bool,
     /// How many members of each level contain a ray that is in none of the bodies.
     outside: [u8; MOST_LEVELS],
 }
@@ -38,8 +43,6 @@ struct Part {
     body: Body,
     leaf: u32,
     level: u8,
-    /// Its place in its group.
-    member: u32,
     inverted: bool,
     /// See [`Body::has_parts`].
     has_parts: bool,
@@ -57,10 +60,6 @@ struct Level {
     op: Op,
     size: u8,
     parent: Option<u8>,
-    /// Its place in the group around it.
-    member: u32,
-    /// Which group; none for clips.
-    group: Option<u32>,
 }
 
 /// An end of a stretch.
@@ -74,15 +73,6 @@ struct End {
 pub(crate) struct Counted<'a> {
     part: &'a Part,
     t: f64,
-}
-
-/// Where a walk stands.
-struct Walk<'a> {
-    solid: &'a Solid,
-    /// How many members of each level contain the ray here.
-    counts: [u8; MOST_LEVELS],
-    /// Bits of the parts that contain it.
-    contains: u64,
 }
 
 impl Level {
@@ -132,31 +122,42 @@ impl Counted<'_> {
 
 impl Solid {
     /// Prepares a group for sweeps, if all its leaves are simple bodies and they are few.
-    pub(crate) fn new(group: &Group, at: u32, leaves: &Leaves, groups: &[Group]) -> Option<Solid> {
+    pub(crate) fn new(group: &Group, leaves: &Leaves, groups: &[Group]) -> Option<Solid> {
         if group.op == Op::Union && group.clips.is_empty() {
             return None;
         }
-        let mut solid =
-            Solid { parts: Vec::new(), levels: Vec::new(), limited: false, outside: [0; MOST_LEVELS] };
-        solid.add_group(group, at, None, (0, false), leaves, groups)?;
+        let mut solid = Solid {
+            parts: Vec::new(),
+            levels: Vec::new(),
+            limited: false,
+            united: false,
+            boxed: false,
+            outside: [0; MOST_LEVELS],
+        };
+        solid.add_group(group, None, false, leaves, groups)?;
         solid.mark_limits();
         solid.limited = solid.parts.iter().all(|part| part.holds || part.bars);
         // What limits the rest comes first.
         solid.parts.sort_by_key(|part| !part.holds);
-        let mut walk = Walk { solid: &solid, counts: solid.outside, contains: 0 };
+        solid.united = solid.levels.iter().all(|level| level.op == Op::Merge)
+            && solid.parts.iter().all(|part| !part.inverted)
+            && solid.parts.len() <= MOST_UNITED;
+        solid.boxed = solid.levels.len() == 1 && solid.parts.iter().all(|part| part.body.is_bounded());
+        let mut walk = Walk::outside(&solid);
         for part in solid.parts.iter().filter(|part| part.inverted) {
             walk.change(part.level, true);
         }
         solid.outside = walk.counts;
+        solid.parts.shrink_to_fit();
+        solid.levels.shrink_to_fit();
         Some(solid)
     }
 
     fn add_group(
         &mut self,
         group: &Group,
-        at: u32,
         parent: Option<u8>,
-        (member, silent): (u32, bool),
+        silent: bool,
         leaves: &Leaves,
         groups: &[Group],
     ) -> Option<()> {
@@ -165,28 +166,21 @@ impl Solid {
         }
         let mut around = parent;
         if !group.clips.is_empty() {
-            around = Some(self.add_level(Op::Intersection, group.clips.len() + 1, parent, member, None)?);
+            around = Some(self.add_level(Op::Intersection, group.clips.len() + 1, parent)?);
             for &clip in &group.clips {
-                self.add_node(clip, around?, (0, true), leaves, groups)?;
+                self.add_node(clip, around?, true, leaves, groups)?;
             }
         }
-        let level = self.add_level(group.op, group.members.len(), around, member, Some(at))?;
-        for (i, m) in group.members.iter().enumerate() {
-            self.add_node(m.node, level, (i as u32, silent), leaves, groups)?;
+        let level = self.add_level(group.op, group.members.len(), around)?;
+        for member in &group.members {
+            self.add_node(member.node, level, silent, leaves, groups)?;
         }
         Some(())
     }
 
-    fn add_level(
-        &mut self,
-        op: Op,
-        size: usize,
-        parent: Option<u8>,
-        member: u32,
-        group: Option<u32>,
-    ) -> Option<u8> {
+    fn add_level(&mut self, op: Op, size: usize, parent: Option<u8>) -> Option<u8> {
         let room = self.levels.len() < MOST_LEVELS && size <= MOST_PARTS;
-        self.levels.push(Level { op, size: u8::try_from(size).ok()?, parent, member, group });
+        self.levels.push(Level { op, size: u8::try_from(size).ok()?, parent });
         room.then_some(self.levels.len() as u8 - 1)
     }
 
@@ -194,31 +188,18 @@ impl Solid {
         &mut self,
         node: NodeRef,
         level: u8,
-        (member, silent): (u32, bool),
+        silent: bool,
         leaves: &Leaves,
         groups: &[Group],
     ) -> Option<()> {
         match node.node() {
-            Node::Group(at) => {
-                self.add_group(&groups[at as usize], at, Some(level), (member, silent), leaves, groups)
-            }
+            Node::Group(at) => self.add_group(&groups[at as usize], Some(level), silent, leaves, groups),
             Node::Leaf(leaf) => {
                 let room = self.parts.len() < MOST_PARTS;
                 let crate::leaf::Leaf { inverted, rank, .. } = leaves.leaves[leaf as usize];
                 let body = Body::of(leaf, leaves)?;
                 let (has_parts, holds, bars) = (body.has_parts(), false, false);
-                self.parts.push(Part {
-                    body,
-                    leaf,
-                    level,
-                    member,
-                    inverted,
-                    has_parts,
-                    silent,
-                    holds,
-                    bars,
-                    rank,
-                });
+                self.parts.push(Part { body, leaf, level, inverted, has_parts, silent, holds, bars, rank });
                 room.then_some(())
             }
         }
@@ -238,24 +219,32 @@ impl Solid {
 
     /// The nearest hit; `None` where the sweep cannot tell.
     #[inline]
-    pub(crate) fn closest(&self, tree: &Tree, ray: &Ray, range: (f64, f64)) -> Option<Option<Hit>> {
+    pub(crate) fn closest(
+        &self,
+        tree: &Tree,
+        group: &Group,
+        probe: &Probe,
+        range: (f64, f64),
+    ) -> Option<Option<Hit>> {
         let mut best = None;
-        self.sweep(tree, ray, range, |end| {
-            best = Some(end.hit(tree, ray)?);
+        self.sweep(tree, group, probe, range, |end| {
+            best = Some(end.hit(tree, &probe.ray)?);
             Some(false)
         })?;
         Some(best)
     }
 
     /// Calls `found` with the ends that are hits, the nearest first, for as long as it answers true. `None` where the
-    /// sweep, or `found`, cannot tell: what was found so far is void.
+    /// sweep, or `found`, cannot tell: what was found so far is void. `group` is the one that it was made of.
     pub(crate) fn sweep(
         &self,
         tree: &Tree,
-        ray: &Ray,
+        group: &Group,
+        probe: &Probe,
         mut range: (f64, f64),
         mut found: impl FnMut(Counted<'_>) -> Option<bool>,
     ) -> Option<()> {
+        let ray = &probe.ray;
         if self.limited {
             let mut goes_on = |end: End| {
                 let part = &self.parts[end.part as usize];
@@ -278,145 +267,18 @@ impl Solid {
                 }
             }
         }
+        if self.united {
+            match self.united(group, probe, range, &mut found)? {
+                None => return Some(()),
+                Some(from) => range.0 = from,
+            }
+        }
         self.walk(tree, ray, range, found)
-    }
-
-    /// [`Solid::sweep`] for all combinations, from end to end.
-    fn walk(
-        &self,
-        tree: &Tree,
-        ray: &Ray,
-        range: (f64, f64),
-        mut found: impl FnMut(Counted<'_>) -> Option<bool>,
-    ) -> Option<()> {
-        let mut walk = Walk { solid: self, counts: self.outside, contains: 0 };
-        let mut ends: SmallVec<[End; 24]> = SmallVec::new();
-        if !walk.start(ray, range, &mut ends) {
-            return Some(());
-        }
-        ends.sort_unstable_by(|a, b| a.t.total_cmp(&b.t));
-        let mut i = 0;
-        while i < ends.len() && ends[i].t < range.1 {
-            let mut next = i + 1;
-            while next < ends.len() && ends[next].t - ends[next - 1].t <= CLOSE * (1.0 + ends[next].t) {
-                next += 1;
-            }
-            let alone = next == i + 1;
-            if !alone {
-                let rank = |end: &End| self.parts[end.part as usize].rank;
-                ends[i..next]
-                    .sort_unstable_by(|a, b| a.t.total_cmp(&b.t).then_with(|| rank(b).cmp(&rank(a))));
-            }
-            for end in &ends[i..next] {
-                let part = &self.parts[end.part as usize];
-                let counts = match alone {
-                    true => walk.lets_count(end.part as usize),
-                    false => self.point_counts(tree, part, ray, end.t),
-                };
-                if counts && !part.silent && end.t < range.1 && !found(Counted { part, t: end.t })? {
-                    return Some(());
-                }
-            }
-            ends[i..next].iter().for_each(|end| walk.turn(end.part as usize));
-            i = next;
-        }
-        Some(())
-    }
-
-    /// Asks the groups around a leaf whether they let a point of its surface count.
-    fn point_counts(&self, tree: &Tree, part: &Part, ray: &Ray, t: f64) -> bool {
-        let p = ray.at(t);
-        let (mut member, mut level) = (part.member, &self.levels[usize::from(part.level)]);
-        loop {
-            if let Some(group) = level.group
-                && !tree.counts(&tree.groups[group as usize], member, p)
-            {
-                return false;
-            }
-            member = level.member;
-            let Some(parent) = level.parent else { return true };
-            level = &self.levels[usize::from(parent)];
-        }
-    }
-}
-
-impl Walk<'_> {
-    /// Finds the ends of stretches within the range, as far as they can matter, and what contains the ray before the
-    /// first of them. False where nothing can count.
-    #[inline]
-    fn start(&mut self, ray: &Ray, range: (f64, f64), ends: &mut SmallVec<[End; 24]>) -> bool {
-        let (mut from, mut to) = range;
-        let mut ready = Ready::new();
-        for (i, part) in self.solid.parts.iter().enumerate() {
-            let Stretch { enter, leave, beyond } = part.body.stretch(ray, &mut ready);
-            if part.holds && !beyond {
-                if leave <= from || enter >= to {
-                    return false;
-                }
-                let (first, last) =
-                    (enter - CLOSE * (1.0 + enter.abs()), leave + CLOSE * (1.0 + leave.abs()));
-                (from, to) = (from.max(first), to.min(last));
-            }
-            if part.bars && !beyond && enter < from && leave > to {
-                return false;
-            }
-            if (enter <= from && from < leave) != beyond {
-                self.turn(i);
-            }
-            for t in [enter, leave] {
-                if t > from && t <= to {
-                    ends.push(End { t, part: i as u32 });
-                }
-            }
-        }
-        !ends.is_empty()
-    }
-
-    /// The ray enters or leaves the body of a part.
-    #[inline]
-    fn turn(&mut self, part: usize) {
-        self.contains ^= 1 << part;
-        let Part { level, inverted, .. } = self.solid.parts[part];
-        self.change(level, (self.contains >> part & 1 == 1) != inverted);
-    }
-
-    /// A member of a level begins to contain the ray, or no longer does.
-    #[inline]
-    fn change(&mut self, level: u8, mut contains: bool) {
-        let mut at = usize::from(level);
-        loop {
-            let level = &self.solid.levels[at];
-            let count = self.counts[at];
-            self.counts[at] = if contains { count.wrapping_add(1) } else { count.wrapping_sub(1) };
-            let now = level.is_inside(self.counts[at]);
-            if now == level.is_inside(count) {
-                return;
-            }
-            contains = now;
-            let Some(parent) = level.parent else { return };
-            at = usize::from(parent);
-        }
-    }
-
-    /// Do the groups around a part let its hit here count?
-    #[inline]
-    fn lets_count(&self, part: usize) -> bool {
-        let Part { level, inverted, .. } = self.solid.parts[part];
-        let mut own = (self.contains >> part & 1 == 1) != inverted;
-        let mut at = usize::from(level);
-        loop {
-            let level = &self.solid.levels[at];
-            let count = self.counts[at];
-            if !level.lets_count(count.wrapping_sub(u8::from(own))) {
-                return false;
-            }
-            own = level.is_inside(count);
-            let Some(parent) = level.parent else { return true };
-            at = usize::from(parent);
-        }
     }
 }
 
 mod limits;
 #[cfg(test)]
 mod tests;
+mod united;
+mod walk;

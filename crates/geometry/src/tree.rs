@@ -161,6 +161,8 @@ impl Tree {
         }
     }
 
+    /// Not inlined, so that leaves need not pay for the room that groups work in.
+    #[inline(never)]
     pub(crate) fn group_closest<F: Fn(&Hit) -> bool>(
         &self,
         group: &Group,
@@ -171,7 +173,7 @@ impl Tree {
         stops: &F,
     ) -> Option<Hit> {
         if let Some(solid) = &group.solid
-            && let Some(found) = solid.closest(self, &probe.ray, range)
+            && let Some(found) = solid.closest(self, group, probe, range)
         {
             return found;
         }
@@ -182,8 +184,8 @@ impl Tree {
         if group.all_count() {
             return self.closest_of_all(group, probe, range, class, scratch, stops);
         }
-        self.closest_member(group, probe, range, class, stops, |index, range| {
-            self.closest_that_counts(group, index, probe, range, class, scratch)
+        self.closest_member(group, probe, range, class, stops, |index, range, out| {
+            put(self.closest_that_counts(group, index, probe, range, class, scratch), out)
         })
     }
 
@@ -198,13 +200,19 @@ impl Tree {
         scratch: &mut Scratch,
         stops: &F,
     ) -> Option<Hit> {
-        self.closest_member(group, probe, range, class, stops, |index, range| {
-            let node = group.members[index as usize].node;
-            self.closest(node, probe, range, class, scratch, stops)
+        self.closest_member(group, probe, range, class, stops, |index, range, out| {
+            match group.members[index as usize].node.node() {
+                Node::Leaf(leaf) => self.leaves.closest_into(leaf, &probe.ray, range, stops, out),
+                Node::Group(group) => {
+                    let group = &self.groups[group as usize];
+                    put(self.group_closest(group, probe, range, class, scratch, stops), out)
+                }
+            }
         })
     }
 
-    /// The nearest of the hits that `ask` finds of the members of a group, or any that `stops` says yes to.
+    /// The nearest of the hits that `ask` finds of the members of a group, or any that `stops` says yes to. `ask` puts
+    /// a hit where it is told, and says whether there was one.
     #[inline(always)]
     fn closest_member(
         &self,
@@ -213,9 +221,9 @@ impl Tree {
         range: (f64, f64),
         class: u8,
         stops: &impl Fn(&Hit) -> bool,
-        mut ask: impl FnMut(u32, (f64, f64)) -> Option<Hit>,
+        mut ask: impl FnMut(u32, (f64, f64), &mut Hit) -> bool,
     ) -> Option<Hit> {
-        let mut best: Option<Hit> = None;
+        let (mut best, mut found) = (Hit::NONE, false);
         group.surfaces.closest(probe, range, |index, far, within| {
             let member = &group.members[index as usize];
             if member.skip & class != 0 {
@@ -223,17 +231,24 @@ impl Tree {
             }
             // A group with bounds may show more than its box holds.
             let mut range = if member.node.is_leaf() { within } else { (range.0, far) };
-            if group.ranked && best.is_some() && range.1 == far {
+            let mut other = Hit::NONE;
+            let rivals = group.ranked && found;
+            if rivals && range.1 == far {
                 range.1 = far.next_up();
             }
-            let hit = ask(index, range)?;
-            if best.is_some_and(|best| !self.stands_before(&hit, &best)) {
+            if !ask(index, range, if rivals { &mut other } else { &mut best }) {
                 return None;
             }
-            best = Some(hit);
-            Some(if stops(&hit) { ENOUGH } else { hit.t })
+            if rivals {
+                if !self.stands_before(&other, &best) {
+                    return None;
+                }
+                best = other;
+            }
+            found = true;
+            Some(if stops(&best) { ENOUGH } else { best.t })
         });
-        best
+        found.then_some(best)
     }
 
     /// Which of two hits is seen? Of equally near ones the leaves' ranks decide, so that coincident surfaces look as
@@ -284,7 +299,7 @@ impl Tree {
         if let Some(solid) = &group.solid {
             let hits = &mut scratch.lists().hits;
             let start = hits.len();
-            let swept = solid.sweep(self, &probe.ray, range, |end| {
+            let swept = solid.sweep(self, group, probe, range, |end| {
                 hits.push(end.hit(self, &probe.ray)?);
                 Some(true)
             });
@@ -379,4 +394,13 @@ impl Tree {
                 || self.closest(bound, probe, (0.0, f64::INFINITY), 0, scratch, &|_| true).is_some()
         })
     }
+}
+
+/// Puts a hit where it is wanted, and says whether there is one.
+#[inline(always)]
+fn put(found: Option<Hit>, out: &mut Hit) -> bool {
+    found.is_some_and(|hit| {
+        *out = hit;
+        true
+    })
 }

@@ -126,6 +126,16 @@ pub struct Hit {
     pub local: crate::LocalHit,
 }
 
+impl Hit {
+    /// Stands where there is none yet.
+    pub(crate) const NONE: Hit = Hit {
+        t: f64::INFINITY,
+        leaf: u32::MAX,
+        inverted: false,
+        local: crate::LocalHit { t: f64::INFINITY, part: 0, u: 0.0, v: 0.0 },
+    };
+}
+
 /// A texture and how much it counts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TextureUse {
@@ -231,13 +241,13 @@ impl Geometry {
 
     /// [`Geometry::closest`] in a world of a few leaves.
     fn closest_of_few(&self, ray: &Ray, range: (f64, f64), class: RayClass) -> Option<Hit> {
-        let mut best: Option<Hit> = None;
+        let (mut best, mut found) = (Hit::NONE, false);
         for member in self.few.iter().filter(|member| member.skip & class.bit() == 0) {
             let Node::Leaf(leaf) = member.node.node() else { continue };
-            let far = best.map_or(range.1, |hit| hit.t);
-            best = self.tree.leaves.closest(leaf, ray, (range.0, far), &|_| false).or(best);
+            let far = if found { best.t } else { range.1 };
+            found |= self.tree.leaves.nearest_into(leaf, ray, (range.0, far), &mut best);
         }
-        best
+        found.then_some(best)
     }
 
     /// The maximal gradients of isosurfaces that are too low for what rays have met so far, each with the steeper one

@@ -67,6 +67,23 @@ impl Pixels {
         }
     }
 
+    /// The bytes that the samples take, a palette not counted.
+    pub fn bytes(&self) -> usize {
+        match self {
+            Pixels::Palette { indices, .. } => size_of_val(&indices[..]),
+            Pixels::Grey8(v) => size_of_val(&v[..]),
+            Pixels::Grey16(v) => size_of_val(&v[..]),
+            Pixels::GreyAlpha8(v) => size_of_val(&v[..]),
+            Pixels::GreyAlpha16(v) => size_of_val(&v[..]),
+            Pixels::Rgb8(v) => size_of_val(&v[..]),
+            Pixels::Rgb16(v) => size_of_val(&v[..]),
+            Pixels::Rgba8(v) => size_of_val(&v[..]),
+            Pixels::Rgba16(v) => size_of_val(&v[..]),
+            Pixels::RgbF32(v) => size_of_val(&v[..]),
+            Pixels::RgbaF32(v) => size_of_val(&v[..]),
+        }
+    }
+
     /// Are there none?
     pub fn is_empty(&self) -> bool {
         self.len() == 0

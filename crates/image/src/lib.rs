@@ -12,6 +12,7 @@ mod compare;
 mod decode;
 mod encode;
 mod format;
+mod mosaic;
 
 pub use bitmap::{Bitmap, FileCurve, Pixels};
 pub use color::{Color, Curve, Rgb, grey};
@@ -19,3 +20,4 @@ pub use compare::{Comparison, SizeMismatch, compare};
 pub use decode::{DecodeError, decode};
 pub use encode::{Dither, EncodeError, EncodeOptions, Picture, develop, encode, write_png};
 pub use format::Format;
+pub use mosaic::{Layout, Mosaic};

@@ -87,7 +87,7 @@ impl Material {
 fn picture(name: &str, words: &Words, around: &Surroundings) -> Result<Option<Arc<ImageMap>>> {
     let Some(bytes) = (around.find)(&name.replace('\\', "/")) else { return Ok(None) };
     let bitmap = match decode(&bytes, raggio_image::Format::from_name(name)) {
-        Ok(bitmap) => Arc::new(bitmap),
+        Ok(bitmap) => bitmap,
         Err(fault) => return words.error(format!("in the picture {name}: {fault}")),
     };
     let from = match bitmap.curve {
@@ -99,7 +99,7 @@ fn picture(name: &str, words: &Words, around: &Surroundings) -> Result<Option<Ar
     Ok(Some(Arc::new(ImageMap {
         conversion: from.zip(around.working).filter(|(from, to)| from != to),
         premultiplied: bitmap.premultiplied,
-        source: ImageSource { bitmap },
+        source: ImageSource { mosaic: Arc::new(bitmap.into()) },
         map_type: MapType::Planar,
         once: false,
         interpolation: Interpolation::Bilinear,

@@ -128,7 +128,7 @@ pub fn visit_roots_in<const N: usize>(c: &[f64; N], lo: f64, hi: f64, visit: imp
         (lo.max(-bound), hi.min(bound))
     };
     if lo <= hi {
-        solve(c, n, (lo, eval(used(c, n), lo)), (hi, eval(used(c, n), hi)), visit);
+        solve(c, (lo, eval(used(c, n), lo)), (hi, eval(used(c, n), hi)), visit);
     }
 }
 
@@ -136,12 +136,17 @@ pub fn visit_roots_in<const N: usize>(c: &[f64; N], lo: f64, hi: f64, visit: imp
 /// that share an end then agree about its side.
 pub fn roots_in_unit<const N: usize>(c: &[f64; N], at_zero: f64, at_one: f64) -> Roots<N> {
     let mut roots = Roots::NONE;
-    let n = degree(c);
-    if n > 0 && c.iter().all(|x| x.is_finite()) {
-        solve(c, n, (0.0, at_zero), (1.0, at_one), |x| {
-            roots.push(x);
-            true
-        });
+    let mut visit = |x| {
+        roots.push(x);
+        true
+    };
+    if degree(c) == 0 || !c.iter().all(|x| x.is_finite()) {
+        return roots;
+    }
+    if (4..=UNROLLED).contains(&N) {
+        isolate(c, &bernstein_from_power(c, at_zero, at_one), (0.0, 1.0), SPLITS, &mut visit);
+    } else {
+        chain(c, (0.0, at_zero), (1.0, at_one), &mut visit);
     }
     roots
 }
@@ -161,19 +166,14 @@ pub fn bernstein_roots<const N: usize>(b: &[f64; N]) -> Roots<N> {
 /// Calls `visit` with the [`bernstein_roots`], the least first, for as long as it answers true.
 #[inline]
 pub fn visit_bernstein_roots<const N: usize>(b: &[f64; N], mut visit: impl FnMut(f64) -> bool) {
-    let changes = changes(b);
-    if changes == 0 || !b.iter().all(|x| x.is_finite()) {
+    if changes(b) == 0 || !b.iter().all(|x| x.is_finite()) {
         return;
     }
     let c = power_from_bernstein(b);
-    let (lo, hi) = ((0.0, b[0]), (1.0, b[N - 1]));
-    if changes == 1 && N <= UNROLLED {
-        visit(refine(&c, lo, hi, guess(lo, hi, false, false), ROOT_STEP));
-        return;
-    }
-    let n = degree(&c);
-    if n > 0 && c.iter().all(|x| x.is_finite()) {
-        chain(&c, n, lo, hi, visit);
+    if N <= UNROLLED {
+        isolate(&c, b, (0.0, 1.0), SPLITS, &mut visit);
+    } else if c.iter().all(|x| x.is_finite()) {
+        chain(&c, (0.0, b[0]), (1.0, b[N - 1]), &mut visit);
     }
 }
 
@@ -302,38 +302,94 @@ fn derivative<const N: usize>(c: &[f64; N], n: usize, k: usize) -> [f64; N] {
 /// Steps this small, as a share of the interval, end the search for a critical point and for a root. Newton's method
 /// doubles the digits with each step, so what is left is far smaller.
 const KNOT_STEP: f64 = 1e-6;
-const ROOT_STEP: f64 = 1e-9;
+const ROOT_STEP: f64 = 1e-8;
 
-/// The chain from the lowest derivative up to the polynomial itself, on the interval between two samples.
+/// The roots between two samples of a polynomial.
 #[inline]
-fn solve<const N: usize>(
-    c: &[f64; N],
-    n: usize,
-    lo: (f64, f64),
-    hi: (f64, f64),
-    mut visit: impl FnMut(f64) -> bool,
-) {
-    if (4..=UNROLLED).contains(&N) {
-        match sign_changes(c, lo, hi) {
-            0 => return,
-            1 if (lo.1 < 0.0) != (hi.1 < 0.0) => {
-                visit(refine(c, lo, hi, guess(lo, hi, false, false), ROOT_STEP));
-                return;
-            }
-            _ => {}
+fn solve<const N: usize>(c: &[f64; N], lo: (f64, f64), hi: (f64, f64), mut visit: impl FnMut(f64) -> bool) {
+    if !(4..=UNROLLED).contains(&N) {
+        chain(c, lo, hi, &mut visit);
+        return;
+    }
+    let b = bernstein_over(c, lo, hi);
+    match changes(&b) {
+        0 => {}
+        1 => {
+            visit(only_root(c, &b, (lo.0, hi.0)));
+        }
+        _ => {
+            isolate(c, &b, (lo.0, hi.0), SPLITS, &mut visit);
         }
     }
-    chain(c, n, lo, hi, visit);
 }
 
-/// As [`solve`], without a look whether it is worth while.
+/// So often an interval is split before the derivatives are asked where its roots are.
+const SPLITS: u32 = 5;
+
+/// The roots in an interval over which the polynomial has the Bernstein coefficients `b`. Their signs tell of none or
+/// one; where they tell of more, the interval is split (Lane and Riesenfeld, 1981) near its lowest point, or
+/// highest, where a pair of roots would part. Answers whether more are wanted.
+fn isolate<const N: usize, F: FnMut(f64) -> bool>(
+    c: &[f64; N],
+    b: &[f64; N],
+    (lo, hi): (f64, f64),
+    splits: u32,
+    visit: &mut F,
+) -> bool {
+    match changes(b) {
+        0 => return true,
+        1 => return visit(only_root(c, b, (lo, hi))),
+        _ if splits == 0 => return chain(c, (lo, b[0]), (hi, b[N - 1]), visit),
+        _ => {}
+    }
+    let s = turn(b) as f64 / (N - 1) as f64;
+    let (left, right) = split(b, s);
+    let middle = lo + (hi - lo) * s;
+    isolate(c, &left, (lo, middle), splits - 1, visit) && isolate(c, &right, (middle, hi), splits - 1, visit)
+}
+
+/// Of the inner coefficients that differ in sign from the first the one that does most.
+#[inline]
+fn turn<const N: usize>(b: &[f64; N]) -> usize {
+    let depth = |k: usize| if b[0] < 0.0 { b[k] } else { -b[k] };
+    (2..N - 1).fold(1, |best, k| if depth(k) > depth(best) { k } else { best })
+}
+
+/// The Bernstein coefficients over `0..=s` and `s..=1` (de Casteljau).
+#[inline]
+fn split<const N: usize>(b: &[f64; N], s: f64) -> ([f64; N], [f64; N]) {
+    let (mut left, mut right) = (*b, *b);
+    for (k, start) in left.iter_mut().enumerate().skip(1) {
+        for i in 0..N - k {
+            right[i] += (right[i + 1] - right[i]) * s;
+        }
+        *start = right[0];
+    }
+    (left, right)
+}
+
+/// The one root in an interval over which the Bernstein coefficients change their sign once; looked for first where the
+/// line through them does.
+#[inline(always)]
+fn only_root<const N: usize>(c: &[f64; N], b: &[f64; N], (lo, hi): (f64, f64)) -> f64 {
+    let mut k = 0;
+    while k + 2 < N && (b[k + 1] < 0.0) == (b[0] < 0.0) {
+        k += 1;
+    }
+    let share = (k as f64 + b[k] / (b[k] - b[k + 1])) / (N - 1) as f64;
+    let guess = lo + (hi - lo) * share.clamp(0.001, 0.999);
+    refine(c, (lo, b[0]), (hi, b[N - 1]), guess, ROOT_STEP)
+}
+
+/// The roots between two samples by way of the roots of the derivatives, from a cubic up to the polynomial itself.
+/// Answers whether more are wanted.
 fn chain<const N: usize>(
     c: &[f64; N],
-    n: usize,
     lo: (f64, f64),
     hi: (f64, f64),
-    mut visit: impl FnMut(f64) -> bool,
-) {
+    visit: &mut impl FnMut(f64) -> bool,
+) -> bool {
+    let n = degree(c);
     let mut knots: Roots<N> = Roots::NONE;
     let mut add = |x: f64| {
         if lo.0 < x && x < hi.0 {
@@ -341,7 +397,7 @@ fn chain<const N: usize>(
         }
     };
     match n {
-        1 => {}
+        0 | 1 => {}
         2 => add(-0.5 * c[1] / c[2]),
         3 => quadratic([c[1], 2.0 * c[2], 3.0 * c[3]]).iter().for_each(|&x| add(x)),
         _ => {
@@ -359,13 +415,13 @@ fn chain<const N: usize>(
         });
         knots = next;
     }
-    crossings((c, n), &knots, lo, hi, ROOT_STEP, &mut visit);
+    crossings((c, n), &knots, lo, hi, ROOT_STEP, visit)
 }
 
-/// How often the sign changes along the Bernstein coefficients over an interval: at least as often as there are roots
-/// in it, and by an even number more (Descartes' rule of signs). The values at the ends are taken as given.
+/// The Bernstein coefficients over an interval. Their signs change at least as often as there are roots in it, and by an
+/// even number more (Descartes' rule of signs). The values at the ends are taken as given.
 #[inline]
-fn sign_changes<const N: usize>(c: &[f64; N], lo: (f64, f64), hi: (f64, f64)) -> u32 {
+fn bernstein_over<const N: usize>(c: &[f64; N], lo: (f64, f64), hi: (f64, f64)) -> [f64; N] {
     let mut b = *c;
     for k in 0..N - 1 {
         for j in (k..N - 1).rev() {
@@ -373,17 +429,27 @@ fn sign_changes<const N: usize>(c: &[f64; N], lo: (f64, f64), hi: (f64, f64)) ->
         }
     }
     let (width, mut power) = (hi.0 - lo.0, 1.0);
-    for k in 1..N {
+    for x in &mut b[1..] {
         power *= width;
-        b[k] *= power * INVERSE_BINOMIAL[N - 1][k];
+        *x *= power;
+    }
+    bernstein_from_power(&b, lo.1, hi.1)
+}
+
+/// [`bernstein_over`] the interval `0..=1`.
+#[inline]
+fn bernstein_from_power<const N: usize>(c: &[f64; N], at_zero: f64, at_one: f64) -> [f64; N] {
+    let mut b = *c;
+    for (x, inverse) in b.iter_mut().zip(&INVERSE_BINOMIAL[N - 1]) {
+        *x *= inverse;
     }
     for k in (1..N).rev() {
         for j in k..N {
             b[j] += b[j - 1];
         }
     }
-    (b[0], b[N - 1]) = (lo.1, hi.1);
-    changes(&b)
+    (b[0], b[N - 1]) = (at_zero, at_one);
+    b
 }
 
 /// How often the sign changes along a row.
@@ -443,18 +509,19 @@ fn crossings<const N: usize>(
     hi: (f64, f64),
     least_step: f64,
     mut visit: impl FnMut(f64) -> bool,
-) {
+) -> bool {
     let mut left = lo;
     for i in 0..=knots.len {
         let right = if i < knots.len { (knots.values[i], eval(used(c, n), knots.values[i])) } else { hi };
         if (left.1 < 0.0) != (right.1 < 0.0) {
             let guess = guess(left, right, i > 0, i < knots.len);
             if !visit(refine(used(c, n), left, right, guess, least_step)) {
-                return;
+                return false;
             }
         }
         left = right;
     }
+    true
 }
 
 /// Where the root may lie between two samples, each of which may be a place where the curve is level.

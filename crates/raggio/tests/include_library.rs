@@ -94,3 +94,32 @@ fn every_file_can_be_included_with_the_colours_alone() {
     }
     assert!(count > 30, "{count}");
 }
+
+/// Lines of a file's name and the names that POV-Ray 3.7 knows by `#ifdef` after including its file of that name; five
+/// that only its own macros use are left out.
+#[test]
+fn every_name_of_the_original_files_is_there() {
+    let recorded = std::fs::read_to_string(folder().join("names.txt")).expect("recorded names");
+    let (mut count, mut missing) = (0, Vec::new());
+    for line in recorded.lines() {
+        let (file, names) = line.split_once(' ').unwrap_or((line, ""));
+        let names: Vec<&str> = names.split(' ').filter(|name| !name.is_empty()).collect();
+        let before = if file.starts_with("shapes") { "#include \"shapes.inc\"\n" } else { "" };
+        let asks: String = names.iter().map(|n| format!("#ifndef({n}) #debug \"{n}\\n\" #end\n")).collect();
+        let scene = format!(
+            "#version 3.7;\n#include \"colors.inc\"\n{before}#include \"{file}\"\n#debug \"@\\n\"\n{asks}"
+        );
+        let mut options = SceneOptions::text("scene.pov", scene.into_bytes());
+        options.use_installed_library = false;
+        let mut text = String::new();
+        let never = Arc::new(AtomicBool::new(false));
+        if let Err(failure) = raggio::load_with(&options, &mut |t| text.push_str(t), &never) {
+            panic!("{file}: {}", failure.render());
+        }
+        let (_, absent) = text.rsplit_once("@\n").expect("the end of the file");
+        missing.extend(absent.lines().map(|name| format!("{file}: {name}")));
+        count += names.len();
+    }
+    assert!(count > 1500, "{count} names");
+    assert!(missing.is_empty(), "{} of {count} names: {missing:?}", missing.len());
+}

@@ -99,7 +99,7 @@ impl World {
             Some((_, efforts)) => heaviest_first(tiles, efforts, &options.area()),
             None => (0..tiles.len()).collect(),
         };
-        in_turn(&order, |i| {
+        in_turn(&order, &Turns::new(order.len()), |i| {
             if cancelled() {
                 return Vec::new();
             }
@@ -137,7 +137,7 @@ fn first_samples<'w>(
     let (width, height) = (region.right - region.left, region.bottom - region.top);
     let inside = |range: &Range<usize>, end: usize| range.end.min(end) - range.start.min(end);
     let order: Vec<usize> = (0..parts.len()).collect();
-    let patches = in_turn(&order, |i| {
+    let patches = in_turn(&order, &Turns::new(order.len()), |i| {
         if cancelled() {
             return Patch::default();
         }
@@ -166,13 +166,35 @@ fn heaviest_first(tiles: &[Tile], efforts: &[Duration], region: &Region) -> Vec<
     order
 }
 
+/// Pieces of work, which threads take one by one.
+pub(crate) struct Turns {
+    next: AtomicUsize,
+    count: usize,
+}
+
+impl Turns {
+    /// So many pieces.
+    pub fn new(count: usize) -> Turns {
+        Turns { next: AtomicUsize::new(0), count }
+    }
+
+    fn take(&self) -> Option<usize> {
+        let turn = self.next.fetch_add(1, Ordering::Relaxed);
+        (turn < self.count).then_some(turn)
+    }
+
+    /// Did a thread come away with nothing?
+    pub fn is_anyone_idle(&self) -> bool {
+        self.next.load(Ordering::Relaxed) > self.count
+    }
+}
+
 /// Works on `0..n` in the order given, each thread of the pool taking the next when it is done with one. The results
 /// come by number.
-fn in_turn<T: Send>(order: &[usize], work: impl Fn(usize) -> T + Sync) -> Vec<T> {
-    let next = AtomicUsize::new(0);
+pub(crate) fn in_turn<T: Send>(order: &[usize], turns: &Turns, work: impl Fn(usize) -> T + Sync) -> Vec<T> {
     let made = rayon::broadcast(|_| {
         let mut made = Vec::new();
-        while let Some(&i) = order.get(next.fetch_add(1, Ordering::Relaxed)) {
+        while let Some(&i) = turns.take().and_then(|turn| order.get(turn)) {
             made.push((i, work(i)));
         }
         made
@@ -207,7 +229,8 @@ mod tests {
         let order = [3, 1, 0, 2];
         let turn = AtomicUsize::new(0);
         let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a pool");
-        let made = pool.install(|| in_turn(&order, |i| (i, turn.fetch_add(1, Ordering::Relaxed))));
+        let made =
+            pool.install(|| in_turn(&order, &Turns::new(4), |i| (i, turn.fetch_add(1, Ordering::Relaxed))));
         assert_eq!(made, [(0, 2), (1, 1), (2, 3), (3, 0)]);
     }
 

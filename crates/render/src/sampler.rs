@@ -122,9 +122,17 @@ impl<'w> Sampler<'w> {
         let world = self.tracer.world;
         self.tracer.streams =
             Streams::new(self.options.seed, key.0.to_bits() as i64, key.1.to_bits() as i64, key.2);
+        let around;
+        let interiors = match world.camera.interiors() {
+            Some(same) => same,
+            None => {
+                around = world.geometry.interiors_at(ray.origin);
+                &around[..]
+            }
+        };
         let beam = Beam {
             ray,
-            interiors: world.camera.interiors(&ray, &world.geometry),
+            interiors,
             weight: 1.0,
             class: RayClass::Camera,
             alpha: self.options.alpha,

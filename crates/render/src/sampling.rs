@@ -47,7 +47,7 @@ pub fn mix(words: [u64; 4]) -> u64 {
 }
 
 /// A place in the table of 32768 Mersenne twister numbers.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Stream(u16);
 
 impl Stream {
@@ -67,7 +67,7 @@ impl Stream {
 }
 
 /// The linear congruential generator behind `crand`.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Lcg(u32);
 
 impl Lcg {
@@ -79,9 +79,16 @@ impl Lcg {
     }
 }
 
-/// The random numbers that one camera sample may use.
-#[derive(Clone, Copy, Debug, Default)]
+/// The random numbers that one camera sample may use, looked up when the first is asked for.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Streams {
+    key: [u64; 4],
+    numbers: Option<Numbers>,
+}
+
+/// Where the random numbers of a camera sample go on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Numbers {
     /// Area lights and rainbows.
     pub lights: Stream,
     /// Media.
@@ -94,9 +101,23 @@ pub struct Streams {
 
 impl Streams {
     /// The streams of one camera sample.
+    #[inline]
     pub fn new(seed: u64, x: i64, y: i64, sample: u64) -> Self {
-        let word = mix([seed, x as u64, y as u64, sample]);
-        Streams {
+        Streams { key: [seed, x as u64, y as u64, sample], numbers: None }
+    }
+
+    /// The numbers themselves.
+    #[inline]
+    pub fn numbers(&mut self) -> &mut Numbers {
+        self.numbers.get_or_insert_with(|| Numbers::new(self.key))
+    }
+}
+
+impl Numbers {
+    #[cold]
+    fn new(key: [u64; 4]) -> Self {
+        let word = mix(key);
+        Numbers {
             lights: Stream((word & 0x7fff) as u16),
             media: Stream(((word >> 16) & 0x7fff) as u16),
             crand: Lcg((word >> 32) as u32),
@@ -227,7 +248,7 @@ mod tests {
 
     #[test]
     fn streams_depend_on_pixel_sample_and_seed() {
-        let first = |seed, x, y, k| Streams::new(seed, x, y, k).lights.next();
+        let first = |seed, x, y, k| Streams::new(seed, x, y, k).numbers().lights.next();
         assert_ne!(first(0, 1, 2, 0), first(0, 2, 1, 0));
         assert_ne!(first(0, 1, 2, 0), first(0, 1, 2, 1));
         assert_ne!(first(0, 1, 2, 0), first(1, 1, 2, 0));

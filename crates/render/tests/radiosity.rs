@@ -71,7 +71,11 @@ fn a_furnace_settles_at_its_known_light() {
 
 #[test]
 fn the_picture_does_not_depend_on_threads() {
-    let with = |threads| render(&open_floor(), &raggio_render::Options { threads, ..options(70, 40) });
-    let one = with(1);
-    assert!(one.pixels == with(2).pixels && one.pixels == with(7).pixels);
+    for recursion_limit in 1..=2 {
+        let mut scene = open_floor();
+        scene.settings.radiosity = Some(RadiositySettings { recursion_limit, ..settings() });
+        let with = |threads| render(&scene, &raggio_render::Options { threads, ..options(70, 40) });
+        let one = with(1);
+        assert!(one.pixels == with(2).pixels && one.pixels == with(7).pixels, "{recursion_limit}");
+    }
 }

@@ -12,7 +12,8 @@ pub struct Interior {
     pub dispersion: f32,
     pub dispersion_samples: u32,
     /// As written; the light spec's formula has the factor 45.
-    pub caustics: f32,
+    /// The power of the cosine that brightens shadows through the surface; 0 for none.
+    pub caustics: f64,
     pub fade_distance: f32,
     pub fade_power: f32,
     pub fade_color: Rgb,

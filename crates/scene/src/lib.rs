@@ -47,7 +47,7 @@ pub use pattern::{
 };
 pub use pigment::{ColorMap, Map, Pigment, PigmentKind};
 pub use raggio_function::Function;
-pub use raggio_image::{Bitmap, Color, Curve, Rgb};
+pub use raggio_image::{Bitmap, Color, Curve, Mosaic, Rgb};
 pub use settings::{GammaMode, Photons, RadiositySettings, Settings, SubsurfaceSettings, Version};
 pub use shape::{
     Blob, BlobComponent, BlobShape, Container, Contour, Curve2, CurveKind, Glyph, HeightField, Isosurface,

@@ -3,7 +3,7 @@ use std::sync::Arc;
 
 use raggio_math::{Affine, Vec2, Vec3};
 
-use crate::{Bitmap, Curve, Function, Object, Pigment};
+use crate::{Curve, Function, Mosaic, Object, Pigment};
 
 /// A pattern with everything that happens before and after its formula.
 #[derive(Clone, Debug)]
@@ -272,8 +272,8 @@ pub struct ImageMap {
 /// Where an image's samples come from. Functions have been sampled already.
 #[derive(Clone, Debug)]
 pub struct ImageSource {
-    /// The samples.
-    pub bitmap: Arc<Bitmap>,
+    /// The samples, by rows or by tiles.
+    pub mosaic: Arc<Mosaic>,
 }
 
 /// `map_type`

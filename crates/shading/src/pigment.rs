@@ -107,6 +107,8 @@ fn color_at(map: &Map<Color>, value: f64) -> Color {
 fn rgb_at(map: &Map<Color>, value: f64) -> Rgb {
     match map.at(value) {
         Blend::One(color) => color.map_or(Rgb::ZERO, |color| color.rgb),
+        // Between equal ones there is nothing to work out; densities have many such.
+        Blend::Two(low, high, _) if low.rgb == high.rgb => low.rgb,
         Blend::Two(low, high, t) => low.lerp_rgb(*high, t),
     }
 }
@@ -262,9 +264,10 @@ impl Pigment {
     }
 
     /// Its colour, where that is the same everywhere.
-    pub fn even_color(&self) -> Option<Color> {
+    #[inline]
+    pub fn even_color(&self) -> Option<&Color> {
         match &self.kind {
-            Kind::Solid(color) => Some(*color),
+            Kind::Solid(color) => Some(color),
             _ => None,
         }
     }

@@ -1,7 +1,7 @@
 //! Textures: layers, and choices between textures (textures spec, section 9). Lighting them is not done here.
 use std::sync::Arc;
 
-use raggio_image::Rgb;
+use raggio_image::{Color, Rgb};
 use raggio_math::Vec3;
 use raggio_scene::{self as scene, PatternKind, TextureKind};
 
@@ -31,6 +31,16 @@ pub struct Layer {
     pub normal: Option<Box<Normal>>,
     /// Answer to light.
     pub finish: scene::Finish,
+    /// Does the finish reflect anything?
+    pub mirrors: bool,
+}
+
+impl Layer {
+    /// Its colour, if that is the same everywhere and nothing bends its normal.
+    #[inline]
+    pub fn plain_color(&self) -> Option<&Color> {
+        if self.normal.is_none() { self.pigment.even_color() } else { None }
+    }
 }
 
 /// A texture that chooses between others by a pattern.
@@ -73,10 +83,12 @@ impl Compiler {
     }
 
     fn layer(&mut self, layer: &scene::Layer) -> Layer {
+        let reflection = &layer.finish.reflection;
         Layer {
             pigment: self.pigment(&layer.pigment),
             normal: layer.normal.as_ref().map(|normal| Box::new(self.normal(normal, false))),
             finish: layer.finish,
+            mirrors: reflection.min != Rgb::ZERO || reflection.max != Rgb::ZERO,
         }
     }
 }

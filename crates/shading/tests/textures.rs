@@ -74,7 +74,7 @@ fn a_material_map_takes_the_palettes_index() {
     let pixels = Pixels::Palette { indices: vec![1, 0, 3, 2], colors: vec![[0, 0, 0, 255]; 4] };
     let bitmap = Bitmap { width: 2, height: 2, pixels, curve: FileCurve::None, premultiplied: false };
     let image = scene::ImageMap {
-        source: scene::ImageSource { bitmap: Arc::new(bitmap) },
+        source: scene::ImageSource { mosaic: Arc::new(bitmap.into()) },
         map_type: scene::MapType::Planar,
         once: false,
         interpolation: scene::Interpolation::None,

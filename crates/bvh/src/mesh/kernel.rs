@@ -13,7 +13,7 @@ macro_rules! kernel {
             use crate::mesh::double::Sheared;
             use crate::mesh::leaf::AXES;
             use crate::mesh::{Block, LEAF, MeshBvh, MeshHit, MeshRay, ROOT, STACK, TriangleHit, UNIT};
-            use crate::round::{down, up};
+            use crate::round::{not_before, not_behind};
 
             leaf_tests!($features);
 
@@ -308,16 +308,16 @@ macro_rules! kernel {
                 if !slab.finite {
                     return None;
                 }
-                let boxes = Boxes::new(bvh, &slab, down(range.0.max(0.0)) + 0.0);
+                let boxes = Boxes::new(bvh, &slab, not_behind(range.0));
                 let double = Double::new(&Sheared::new(ray));
                 let mut best = None;
                 let mut far = range.1;
-                walk(&boxes, up(far), |block, t_max| {
+                walk(&boxes, not_before(far), |block, t_max| {
                     let hits = double.hit(block, (range.0, far));
                     let Some(hit) = hits.nearest(block) else { return t_max };
                     best = Some(hit);
                     far = if stops(&hit) { -1.0 } else { hit.t };
-                    up(far)
+                    not_before(far)
                 });
                 best
             }
@@ -334,9 +334,9 @@ macro_rules! kernel {
                 if !slab.finite {
                     return;
                 }
-                let boxes = Boxes::new(bvh, &slab, down(range.0.max(0.0)) + 0.0);
+                let boxes = Boxes::new(bvh, &slab, not_behind(range.0));
                 let double = Double::new(&Sheared::new(ray));
-                walk(&boxes, up(range.1), |block, t_max| {
+                walk(&boxes, not_before(range.1), |block, t_max| {
                     double.hit(block, range).each(block, &mut found);
                     t_max
                 });

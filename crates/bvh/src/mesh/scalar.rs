@@ -5,7 +5,7 @@ use raggio_math::Ray;
 use super::double::Sheared;
 use super::{Block, LANES, LEAF, MeshBvh, MeshHit, MeshRay, Node, ROOT, STACK, TriangleHit};
 use crate::kernel::{SLACK, Slab};
-use crate::round::{down, up};
+use crate::round::{not_before, not_behind};
 
 /// What the test of a triangle in single precision needs to know about a ray.
 pub(crate) struct Prepared {
@@ -135,7 +135,7 @@ pub(crate) fn nearest(
         return None;
     }
     let mut far = range.1;
-    walk(bvh, &slab, down(range.0.max(0.0)), up(far), |block, t_max| {
+    walk(bvh, &slab, not_behind(range.0), not_before(far), |block, t_max| {
         let before = far;
         sheared.hits(block, (range.0, far), |hit| {
             if hit.t < far {
@@ -145,7 +145,7 @@ pub(crate) fn nearest(
         match best {
             Some(hit) if far < before => {
                 far = if stops(&hit) { -1.0 } else { far };
-                up(far)
+                not_before(far)
             }
             _ => t_max,
         }
@@ -159,7 +159,7 @@ pub(crate) fn all(bvh: &MeshBvh, ray: &Ray, range: (f64, f64), mut found: impl F
     if !slab.finite {
         return;
     }
-    walk(bvh, &slab, down(range.0.max(0.0)), up(range.1), |block, t_max| {
+    walk(bvh, &slab, not_behind(range.0), not_before(range.1), |block, t_max| {
         sheared.hits(block, range, &mut found);
         t_max
     });

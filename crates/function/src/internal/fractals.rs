@@ -1,4 +1,6 @@
 //! Fractals made of noise.
+use std::cell::Cell;
+
 use super::{Args, N, generator_number, noises, power, squared};
 
 /// Octaves are bounded, so that a wild number cannot stop the picture.
@@ -88,19 +90,58 @@ pub fn ridge(a: &Args) -> N {
     scale * sum / weights
 }
 
+/// How strong the octaves of a ridged multifractal are. A function asks with the same numbers at every point, and powers
+/// take as long as noise: each thread remembers those of its last question.
+#[derive(Clone, Copy)]
+struct Strengths {
+    lacunarity: f64,
+    h: f64,
+    first: [f64; KNOWN],
+}
+
+/// So many octaves are remembered.
+const KNOWN: usize = 12;
+
+thread_local! {
+    static LAST: Cell<Strengths> = const { Cell::new(Strengths { lacunarity: f64::NAN, h: 0.0, first: [0.0; KNOWN] }) };
+}
+
+impl Strengths {
+    fn of(lacunarity: f64, h: f64) -> Strengths {
+        let last = LAST.get();
+        if last.lacunarity == lacunarity && last.h == h {
+            return last;
+        }
+        let first = std::array::from_fn(|i| strength(lacunarity, h, i as f64));
+        let new = Strengths { lacunarity, h, first };
+        LAST.set(new);
+        new
+    }
+
+    fn octave(&self, i: f64) -> f64 {
+        let known = self.first.get(i as usize);
+        known.copied().unwrap_or_else(|| strength(self.lacunarity, self.h, i))
+    }
+}
+
+fn strength(lacunarity: f64, h: f64, i: f64) -> f64 {
+    lacunarity.powf(-i * h)
+}
+
 /// Ridged multifractal.
 pub fn ridged_mf(a: &Args) -> N {
     let [_, h, lacunarity, octaves, offset, gain, ..] = a.p;
     let octaves = octaves.min(MOST_OCTAVES);
     let mut noise = Octaves::new(a, lacunarity, octaves);
     let mut signal = || squared(offset - (2.0 * noise.next() - 1.0).abs());
+    let strengths = Strengths::of(lacunarity, h);
     let mut s = signal();
     let mut result = s;
     let mut i = 1.0;
     while i < octaves {
         let weight = (s * gain).clamp(0.0, 1.0);
         s = weight * signal();
-        result += s * lacunarity.powf(-i * h);
+        result += s * strengths.octave(i);
         i += 1.0;
     }
     result

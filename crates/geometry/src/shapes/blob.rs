@@ -134,12 +134,16 @@ impl Element {
     fn add_spans(&self, ray: &Ray, range: (f64, f64), wanted: (f64, f64), out: &mut Spans) {
         let (unit, length) = match &self.form {
             Form::Ball { centre, per_radius2 } => {
-                return self.add_span(ray.origin - *centre, ray.dir, *per_radius2, range, wanted, out);
+                // Rays come with a direction of unit length.
+                let (o, d) = (ray.origin - *centre, ray.dir);
+                let middle = -o.dot(d);
+                let peak = 1.0 - per_radius2 * (o + d * middle).length_squared();
+                return self.add_part(middle, *per_radius2, peak, range, wanted, out);
             }
             Form::Placed { unit_from_blob, length } => (ray.transformed(unit_from_blob), *length),
         };
         let (o, d) = (unit.origin, unit.dir);
-        let mut add_span = |o: Vec3, d: Vec3, range| self.add_span(o, d, 1.0, range, wanted, out);
+        let mut add_span = |o: Vec3, d: Vec3, range| self.add_span(o, d, range, wanted, out);
         if length == 0.0 {
             return add_span(o, d, range);
         }
@@ -157,12 +161,26 @@ impl Element {
         add_span(last, d, (range.0.max(far), range.1));
     }
 
-    /// The span in which `1 - scale |o + t d|^2` is positive, cut to `range`.
+    /// The span in which `1 - |o + t d|^2` is positive, cut to `range`.
     #[inline]
-    fn add_span(&self, o: Vec3, d: Vec3, scale: f64, range: (f64, f64), wanted: (f64, f64), out: &mut Spans) {
-        let length2 = d.length_squared();
-        let middle = if length2 > 0.0 { -o.dot(d) / length2 } else { 0.0 };
-        let (bend, peak) = (scale * length2, 1.0 - scale * (o + d * middle).length_squared());
+    fn add_span(&self, o: Vec3, d: Vec3, range: (f64, f64), wanted: (f64, f64), out: &mut Spans) {
+        let bend = d.length_squared();
+        let middle = if bend > 0.0 { -o.dot(d) / bend } else { 0.0 };
+        let peak = 1.0 - (o + d * middle).length_squared();
+        self.add_part(middle, bend, peak, range, wanted, out);
+    }
+
+    /// The span in which `peak - bend (t - middle)^2` is positive, cut to `range`.
+    #[inline(always)]
+    fn add_part(
+        &self,
+        middle: f64,
+        bend: f64,
+        peak: f64,
+        range: (f64, f64),
+        wanted: (f64, f64),
+        out: &mut Spans,
+    ) {
         if peak.is_nan() || peak <= 0.0 {
             return;
         }

@@ -1,6 +1,7 @@
 //! The cone, and the cylinder as the cone of equal radii.
 use raggio_math::{Aabb, Affine, EPS, Ray, Vec3};
 
+use super::quadric::two_roots;
 use super::{Few, Stretch, beyond, clearly_beyond, start_along};
 use crate::{LocalHit, Surface};
 
@@ -123,13 +124,9 @@ impl Cone {
                 _ => after(-0.5 * c / b),
             };
         }
-        let discriminant = b * b - a * c;
-        if discriminant <= 0.0 || discriminant.is_nan() {
+        let Some((first, last)) = two_roots(a, b, c) else {
             return if a > 0.0 { NOWHERE } else { caps };
-        }
-        let q = -(b + discriminant.sqrt().copysign(b));
-        let (s, t) = (q / a, if q == 0.0 { 0.0 } else { c / q });
-        let (first, last) = if s < t { (s, t) } else { (t, s) };
+        };
         if a > 0.0 {
             return (after(first).0, before(last).1);
         }

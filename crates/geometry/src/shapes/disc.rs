@@ -1,5 +1,5 @@
 //! The disc.
-use raggio_math::{Aabb, EPS, Ray, Vec3};
+use raggio_math::{Aabb, Affine, EPS, Ray, Vec3};
 
 use super::beyond;
 use crate::{LocalHit, Surface};
@@ -19,6 +19,16 @@ pub(crate) struct Disc {
 impl Disc {
     pub(crate) fn new(center: Vec3, normal: Vec3, radius: f64, hole: f64) -> Self {
         Disc { center, normal, radius, hole }
+    }
+
+    /// The same in other coordinates, in which all lengths are multiplied.
+    pub(crate) fn moved(&self, there_from_here: &Affine, scale: f64) -> Self {
+        Disc {
+            center: there_from_here.transform_point3(self.center),
+            normal: there_from_here.transform_vector3(self.normal).normalize_or(self.normal),
+            radius: self.radius * scale,
+            hole: self.hole * scale,
+        }
     }
 }
 

@@ -1,15 +1,17 @@
 //! The height field: two triangles per cell of a grid over the unit square (shapes spec, section 4).
 //!
-//! A quadtree of least and greatest heights over the cells is walked from the near end of the ray to the far end. In a
+//! Least and greatest heights of blocks of cells, of 1, 2, 4 and more a side, let the ray step over all that is not near it
+//! (Tevs, Ihrke and Seidel, "Maximum mipmaps for fast, accurate, and scalable dynamic height field rendering", 2008). In a
 //! triangle the ray's height over the ground is linear, so signs at the ends of its stretch tell of a hit, and
 //! neighbours agree about their common edge.
 use std::sync::Arc;
 
 use raggio_math::{Aabb, Ray, Vec3};
-use smallvec::SmallVec;
 
 use super::collect::{Collect, searched_from};
+use super::revolve::clip_to_slab;
 use crate::{LocalHit, Surface};
+use steps::{Block, Steps};
 
 const LEAST: f64 = 1e-6;
 /// Heights of samples in the unit cube.
@@ -17,12 +19,17 @@ const FULL: f64 = 65536.0;
 /// The surface is kept from a little below the water.
 const SHORE: f64 = 0.001;
 
+/// The heights of a block that has none over water.
+const NOTHING: (u16, u16) = (u16::MAX, 0);
+
 /// A height field, ready to be hit.
 #[derive(Clone, Debug)]
 pub(crate) struct HeightField {
     field: Arc<raggio_scene::HeightField>,
-    /// `levels[k]` joins blocks of 2^k by 2^k cells: columns, and (least, greatest) height by row.
+    /// `levels[k]` joins blocks of 2^k by 2^k cells.
     levels: Vec<Level>,
+    /// Least and greatest heights of the blocks of all levels, by row; the wrong way round where all is under water.
+    spans: Vec<(u16, u16)>,
     /// Normals at the samples, scaled to 32767, of smooth fields.
     normals: Vec<[i16; 3]>,
     /// From sample units (columns, heights, rows) to the unit cube.
@@ -31,66 +38,27 @@ pub(crate) struct HeightField {
     bottom: f64,
 }
 
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 struct Level {
     columns: usize,
     rows: usize,
-    spans: Vec<(u16, u16)>,
-}
-
-/// A ray in sample units.
-struct Walk {
-    ray: Ray,
-    /// One over each part of the direction.
-    inverse: Vec3,
-}
-
-/// A block of cells and the stretch of the ray over its square.
-#[derive(Clone, Copy)]
-struct Block {
-    level: usize,
-    i: usize,
-    j: usize,
-    lo: f64,
-    hi: f64,
-}
-
-impl Walk {
-    /// The part of a stretch between two planes across an axis.
-    fn clipped(&self, (lo, hi): (f64, f64), axis: usize, slab: (f64, f64)) -> Option<(f64, f64)> {
-        let o = self.ray.origin[axis];
-        if self.ray.dir[axis] == 0.0 {
-            return (slab.0 <= o && o <= slab.1).then_some((lo, hi));
-        }
-        let (a, b) = ((slab.0 - o) * self.inverse[axis], (slab.1 - o) * self.inverse[axis]);
-        let (lo, hi) = (lo.max(a.min(b)), hi.min(a.max(b)));
-        (lo <= hi).then_some((lo, hi))
-    }
-
-    /// On which side of a plane across an axis the ray starts, and where it changes to the other. Blocks that have
-    /// nothing beyond the plane are left out of account by `beyond`.
-    fn sides(&self, block: &Block, axis: usize, plane: f64, beyond: bool) -> (usize, f64) {
-        let (o, d) = (self.ray.origin[axis], self.ray.dir[axis]);
-        if !beyond {
-            return (0, block.hi);
-        }
-        if d == 0.0 {
-            return (usize::from(o >= plane), block.hi);
-        }
-        (usize::from(d < 0.0), ((plane - o) * self.inverse[axis]).max(block.lo).min(block.hi))
-    }
+    /// Its first in [`HeightField::spans`].
+    first: usize,
 }
 
 impl HeightField {
     /// Makes a field ready. One without a cell is never hit.
     pub(crate) fn new(field: Arc<raggio_scene::HeightField>) -> Self {
         let (columns, rows) = (field.width.saturating_sub(1), field.depth.saturating_sub(1));
-        let levels = if columns == 0 || rows == 0 { Vec::new() } else { levels(&field, columns, rows) };
-        let normals = if field.smooth { sample_normals(&field) } else { Vec::new() };
         let lowest = field.heights.iter().min().copied().map_or(0.0, f64::from);
         let bottom = (FULL * field.water_level).max(lowest) - SHORE;
+        let (levels, spans) = match columns == 0 || rows == 0 {
+            true => (Vec::new(), Vec::new()),
+            false => levels(&field, columns, rows, bottom),
+        };
+        let normals = if field.smooth { sample_normals(&field) } else { Vec::new() };
         let scale = Vec3::new(1.0 / columns.max(1) as f64, 1.0 / FULL, 1.0 / rows.max(1) as f64);
-        HeightField { field, levels, normals, scale, bottom }
+        HeightField { field, levels, spans, normals, scale, bottom }
     }
 
     fn height(&self, i: usize, j: usize) -> f64 {
@@ -99,69 +67,49 @@ impl HeightField {
 
     fn search(&self, ray: &Ray, to: &mut impl Collect) {
         let ray = Ray::new(ray.origin / self.scale, ray.dir / self.scale);
-        let walk = Walk { inverse: ray.dir.recip(), ray };
-        let Some(whole) = self.whole(&walk, to.range()) else { return };
-        // Blocks still to be walked, nearest on top.
-        let mut stack: SmallVec<[Block; 32]> = SmallVec::new();
-        stack.push(whole);
-        while let Some(block) = stack.pop() {
-            let block = Block { hi: block.hi.min(to.range().1), ..block };
-            if block.lo > block.hi || !self.may_meet(&ray, &block) {
-                continue;
+        let Some((start, mut end)) = self.stretch(&ray, to.range()) else { return };
+        let (grid, top) = (self.levels[0], self.levels.len() as u32 - 1);
+        let mut steps = Steps::new(&ray, start, (grid.columns, grid.rows), top);
+        loop {
+            let block = steps.block();
+            let hi = if block.exit < end { block.exit } else { end };
+            if self.may_meet(&ray, &block, steps.at, hi) {
+                if block.level > 0 {
+                    steps.refine();
+                    continue;
+                }
+                self.search_cell(&ray, (block.i, block.j), (steps.at, hi), to);
+                end = end.min(to.range().1);
             }
-            if block.level == 0 {
-                self.search_cell(&ray, &block, to);
-            } else {
-                self.push_children(&walk, &block, &mut stack);
+            if block.exit >= end || !steps.leave(&block) {
+                return;
             }
         }
     }
 
-    /// The whole field and the stretch of the ray in its box.
-    fn whole(&self, walk: &Walk, range: (f64, f64)) -> Option<Block> {
-        let level = self.levels.len().checked_sub(1)?;
-        let (low, high) = self.levels[level].spans[0];
-        let range = walk.clipped(range, 0, (0.0, self.levels[0].columns as f64))?;
-        let range = walk.clipped(range, 2, (0.0, self.levels[0].rows as f64))?;
-        let (lo, hi) = walk.clipped(range, 1, (f64::from(low) - SHORE, f64::from(high) + SHORE))?;
-        Some(Block { level, i: 0, j: 0, lo, hi })
+    /// The stretch of the ray in the box around all.
+    fn stretch(&self, ray: &Ray, range: (f64, f64)) -> Option<(f64, f64)> {
+        let top = self.levels.last()?;
+        let (low, high) = self.spans[top.first];
+        let Level { columns, rows, .. } = self.levels[0];
+        let (o, d) = (ray.origin, ray.dir);
+        let range = clip_to_slab(o.x, d.x, (0.0, columns as f64), range)?;
+        let range = clip_to_slab(o.z, d.z, (0.0, rows as f64), range)?;
+        clip_to_slab(o.y, d.y, (f64::from(low) - SHORE, f64::from(high) + SHORE), range)
     }
 
-    /// Does the ray come to the heights of a block while it is over it?
-    #[inline]
-    fn may_meet(&self, ray: &Ray, block: &Block) -> bool {
-        let level = &self.levels[block.level];
-        let (low, high) = level.spans[block.j * level.columns + block.i];
-        let y = |t: f64| ray.origin.y + ray.dir.y * t;
-        let (a, b) = (y(block.lo), y(block.hi));
-        let top = f64::from(high) + SHORE;
-        a.max(b) >= f64::from(low) - SHORE && a.min(b) <= top && top >= self.bottom
+    /// Does the ray come to the heights of a block between two distances?
+    #[inline(always)]
+    fn may_meet(&self, ray: &Ray, block: &Block, lo: f64, hi: f64) -> bool {
+        let level = &self.levels[block.level as usize];
+        let (low, high) = self.spans[level.first + block.j * level.columns + block.i];
+        let (a, b) = (ray.origin.y + ray.dir.y * lo, ray.origin.y + ray.dir.y * hi);
+        let (low, high) = (f64::from(low) - SHORE, f64::from(high) + SHORE);
+        let (least, most) = if a < b { (a, b) } else { (b, a) };
+        (most >= low) & (least <= high)
     }
 
-    /// Up to three of the four blocks below one, those that the ray is over, the farthest first.
-    fn push_children(&self, walk: &Walk, block: &Block, stack: &mut SmallVec<[Block; 32]>) {
-        let level = block.level - 1;
-        let below = &self.levels[level];
-        let (i, j) = (2 * block.i, 2 * block.j);
-        let plane = |k: usize| ((k + 1) << level) as f64;
-        let (di, tx) = walk.sides(block, 0, plane(i), i + 1 < below.columns);
-        let (dj, tz) = walk.sides(block, 2, plane(j), j + 1 < below.rows);
-        let mut push = |di: usize, dj: usize, lo: f64, hi: f64| {
-            if lo < hi {
-                stack.push(Block { level, i: i + di, j: j + dj, lo, hi });
-            }
-        };
-        push(1 - di, 1 - dj, tx.max(tz), block.hi);
-        if tx < tz {
-            push(1 - di, dj, tx, tz);
-        } else {
-            push(di, 1 - dj, tz, tx);
-        }
-        push(di, dj, block.lo, tx.min(tz));
-    }
-
-    fn search_cell(&self, ray: &Ray, block: &Block, to: &mut impl Collect) {
-        let &Block { i, j, lo, hi, .. } = block;
+    fn search_cell(&self, ray: &Ray, (i, j): (usize, usize), (lo, hi): (f64, f64), to: &mut impl Collect) {
         // Where the ray crosses the diagonal from (i + 1, j) to (i, j + 1).
         let (o, d) = (ray.origin, ray.dir);
         let before = (o.x - i as f64) + (o.z - j as f64) - 1.0;
@@ -236,24 +184,35 @@ impl HeightField {
 }
 
 /// Least and greatest heights of cells, then of ever larger blocks, up to a single one.
-fn levels(field: &raggio_scene::HeightField, columns: usize, rows: usize) -> Vec<Level> {
+fn levels(
+    field: &raggio_scene::HeightField,
+    columns: usize,
+    rows: usize,
+    bottom: f64,
+) -> (Vec<Level>, Vec<(u16, u16)>) {
     let at = |i: usize, j: usize| field.heights[j * field.width + i];
     let cell = |k: usize| {
         let (i, j) = (k % columns, k / columns);
         let corners = [at(i, j), at(i + 1, j), at(i, j + 1), at(i + 1, j + 1)];
-        corners.iter().fold((u16::MAX, 0), |(lo, hi), &h| (lo.min(h), hi.max(h)))
+        let (lo, hi) = corners.iter().fold(NOTHING, |(lo, hi), &h| (lo.min(h), hi.max(h)));
+        if f64::from(hi) + SHORE >= bottom { (lo, hi) } else { NOTHING }
     };
-    let mut levels = vec![Level { columns, rows, spans: (0..columns * rows).map(cell).collect() }];
-    while let Some(below) = levels.last().filter(|l| l.spans.len() > 1) {
-        let (columns, rows) = (below.columns.div_ceil(2), below.rows.div_ceil(2));
-        let mut spans = vec![(u16::MAX, 0); columns * rows];
-        for (k, &(lo, hi)) in below.spans.iter().enumerate() {
-            let block = &mut spans[(k / below.columns / 2) * columns + (k % below.columns) / 2];
-            *block = (block.0.min(lo), block.1.max(hi));
+    let mut level = Level { columns, rows, first: 0 };
+    let mut spans: Vec<_> = (0..columns * rows).map(cell).collect();
+    let mut levels = vec![level];
+    while level.columns * level.rows > 1 {
+        let below = level;
+        level =
+            Level { columns: below.columns.div_ceil(2), rows: below.rows.div_ceil(2), first: spans.len() };
+        spans.resize(level.first + level.columns * level.rows, NOTHING);
+        for k in 0..below.columns * below.rows {
+            let (lo, hi) = spans[below.first + k];
+            let block = level.first + (k / below.columns / 2) * level.columns + (k % below.columns) / 2;
+            spans[block] = (spans[block].0.min(lo), spans[block].1.max(hi));
         }
-        levels.push(Level { columns, rows, spans });
+        levels.push(level);
     }
-    levels
+    (levels, spans)
 }
 
 /// The sums of the unit normals of the up to four facets that have their right angle at a sample.
@@ -283,7 +242,7 @@ impl Surface for HeightField {
         match self.levels.last() {
             None => Aabb::EMPTY,
             Some(top) => {
-                let (low, high) = top.spans[0];
+                let (low, high) = self.spans[top.first];
                 let low = self.bottom.max(f64::from(low) - SHORE);
                 Aabb {
                     min: Vec3::new(0.0, low / FULL, 0.0),
@@ -323,3 +282,5 @@ impl Surface for HeightField {
         n.try_normalize().unwrap_or(Vec3::Y)
     }
 }
+
+mod steps;

@@ -62,6 +62,17 @@ struct Look {
     until: f64,
     /// How far the march may go from there.
     step: f64,
+    /// The step at which the orbit escapes and its squared size there, where they were looked at.
+    end: Option<(u32, f64)>,
+}
+
+/// A place on a ray near the border.
+#[derive(Clone, Copy)]
+struct Place {
+    t: f64,
+    inside: bool,
+    /// See [`Julia::level`]; not a number where it is unknown.
+    level: f64,
 }
 
 /// The radius of the ball around the origin that is known to hold a fractal.
@@ -155,9 +166,11 @@ impl Julia {
         match (proof, self.map.strides()) {
             (Proof::Inside, true) => {
                 let steps = ((until - t) / step).floor();
-                Look { inside: true, until: t + steps * step, step }
+                Look { inside: true, until: t + steps * step, step, end: None }
             }
-            (Proof::Inside | Proof::Outside, false) => Look { inside: proof == Proof::Inside, until, step },
+            (Proof::Inside | Proof::Outside, false) => {
+                Look { inside: proof == Proof::Inside, until, step, end: None }
+            }
             _ => self.look_closely(ray, t),
         }
     }
@@ -166,12 +179,12 @@ impl Julia {
     fn look_closely(&self, ray: &Ray, t: f64) -> Look {
         let (p, dir) = (ray.at(t), ray.dir);
         let q = self.lifted(p);
+        let mut end = None;
         let (inside, estimate) = match self.map {
             Map::Quaternion(power) => {
-                match quaternion::orbit(power, q, self.parameter, self.steps, self.escape) {
-                    None => (true, self.least_step),
-                    Some(distance) => (false, distance),
-                }
+                let (last, distance) = quaternion::orbit(power, q, self.parameter, self.steps, self.escape);
+                end = Some(last);
+                (distance.is_none(), distance.unwrap_or(self.least_step))
             }
             Map::Hypercomplex(map) => {
                 let start = Hypercomplex::from_vec(q);
@@ -187,7 +200,12 @@ impl Julia {
             }
         };
         // A step that is not a number becomes the least one.
-        Look { inside, until: t, step: if estimate > self.least_step { estimate } else { self.least_step } }
+        Look {
+            inside,
+            until: t,
+            step: if estimate > self.least_step { estimate } else { self.least_step },
+            end,
+        }
     }
 
     /// The part of a ray in the ball and the box that hold the set, not before its start.
@@ -232,40 +250,62 @@ impl Julia {
             }
             let seen = self.look(ray, inverse, next);
             if seen.inside != now.inside {
-                to.push(LocalHit::at(self.border(ray, now.until, next, seen.inside)));
+                to.push(LocalHit::at(self.border(ray, self.place(&now, now.until), self.place(&seen, next))));
             }
             now = seen;
         }
     }
 
-    /// The border between two distances, just on its inner side. Near the border orbits escape at the last step or not at
-    /// all, and the size there tells where between two points it is.
-    fn border(&self, ray: &Ray, near: f64, far: f64, entering: bool) -> f64 {
-        let (mut out, mut inner) = if entering { (near, far) } else { (far, near) };
-        // Logarithms of sizes against the one at which orbits escape.
-        let (mut above, mut below) = (f64::NAN, f64::NAN);
-        let mut turn = 0;
-        while (out - inner).abs() > FINE {
-            let middle = 0.5 * (out + inner);
-            if middle == out || middle == inner {
+    fn place(&self, look: &Look, t: f64) -> Place {
+        Place { t, inside: look.inside, level: look.end.map_or(f64::NAN, |end| self.level(end)) }
+    }
+
+    /// How far an orbit that ended in this way is from escaping just at the last step: the logarithm of its size against
+    /// the one at which it would. Sizes after it has escaped are told from its growth, for some steps.
+    fn level(&self, (step, size2): (u32, f64)) -> f64 {
+        let beyond = self.steps.saturating_sub(step + 1);
+        let growth = match self.map {
+            _ if beyond == 0 => 1.0,
+            Map::Quaternion(power) if beyond <= 2 => power.degree().powi(beyond as i32),
+            Map::Hypercomplex(hypercomplex::Map::Square) if beyond <= 2 => 2f64.powi(beyond as i32),
+            _ => return f64::NAN,
+        };
+        growth * size2.ln() - self.escape.ln()
+    }
+
+    /// The border between two distances, just on its inner side. Near the border orbits escape at the last step or not
+    /// at all, and the size there tells where between two points it is.
+    fn border(&self, ray: &Ray, near: Place, far: Place) -> f64 {
+        let (mut a, mut b) = (near, far);
+        let mut share = 0.5;
+        while (b.t - a.t).abs() > FINE {
+            let t = a.t + share * (b.t - a.t);
+            if t == a.t || t == b.t {
                 break;
             }
-            // A little to either side of the guess, in turn, so that it is soon enclosed.
-            let nudge = if turn == 0 { 0.4 * FINE } else { -0.4 * FINE };
-            let share = below / (below - above);
-            let guess = inner + share * (out - inner) + nudge * (out - inner).signum();
-            let within = guess > out.min(inner) && guess < out.max(inner);
-            let at = if within && turn < 2 { guess } else { middle };
-            turn = (turn + 1) % 3;
-            let (step, size2) = self.last_size(ray.at(at));
-            let level = (size2 / self.escape).ln();
-            if step == self.steps {
-                (inner, below) = (at, level);
-            } else {
-                (out, above) = (at, if step + 1 == self.steps { level } else { f64::NAN });
-            }
+            let (end, left) = (self.last_size(ray.at(t)), a);
+            a = Place { t, inside: end.0 == self.steps, level: self.level(end) };
+            let left = if a.inside == left.inside { left } else { std::mem::replace(&mut b, left) };
+            share = Place::share(a, b, left);
         }
-        inner
+        if a.inside { a.t } else { b.t }
+    }
+}
+
+impl Place {
+    /// At which part of the way from `a` to `b`, with the border between, it had best be looked for; `c` was given up
+    /// before. Half way, unless the parabola through all three is to be trusted (Chandrupatla 1997); then far enough from
+    /// either end that the border is soon enclosed.
+    fn share(a: Place, b: Place, c: Place) -> f64 {
+        let (xi, phi) = ((a.t - b.t) / (c.t - b.t), (a.level - b.level) / (c.level - b.level));
+        if !(phi * phi < xi && (1.0 - phi) * (1.0 - phi) < 1.0 - xi) {
+            return 0.5;
+        }
+        let (ab, ac, bc) = (b.level - a.level, c.level - a.level, c.level - b.level);
+        let share =
+            (c.t - a.t) / (b.t - a.t) * (a.level / ac) * (b.level / bc) - (a.level / ab) * (c.level / bc);
+        let nudge = 0.4 * FINE / (b.t - a.t).abs();
+        (share + nudge.copysign(0.5 - share)).max(nudge).min(1.0 - nudge)
     }
 }
 

@@ -7,7 +7,7 @@ use raggio_scene::{Curve2, CurveKind};
 use super::collect::{Collect, searched_from};
 use super::outline::{Outline, point, slope};
 use super::plane_tree::{Line, PlaneTree};
-use super::revolve::{Sweep, barrel_bounds, circle_reach, clip_to_barrel, radius_squared};
+use super::revolve::{Sweep, barrel_bounds, circle_reach, clip_to_barrel, radius, radius_squared};
 use super::turn;
 use crate::{LocalHit, Surface};
 
@@ -17,14 +17,19 @@ const LEVEL: f64 = 1e-6;
 
 /// Bent pieces of the profile are cut into so many spans: short ones lie close in their boxes, and mostly hold one
 /// root at most.
-const SPANS: usize = 4;
+const SPANS: usize = 2;
 
 /// A lathe; x of its profile is the radius, y the height.
 #[derive(Clone, Debug)]
 pub(crate) struct Lathe {
     profile: Outline,
     spans: Vec<Span>,
-    tree: PlaneTree,
+    /// The middle of its heights.
+    level: f64,
+    /// Over the spans in their order and against it.
+    trees: [PlaneTree; 2],
+    /// Does the profile end higher than it begins?
+    rises: bool,
 }
 
 /// A stretch of a piece of the profile.
@@ -37,11 +42,105 @@ struct Span {
     /// By its own parameter in 0..=1.
     curve: Curve2,
     ends: [Vec2; 2],
+    form: Form,
+}
+
+/// Squares of radius and height, and the height, as Bernstein coefficients of twice the curve's degree. Heights count from
+/// [`Lathe::level`].
+#[derive(Clone, Copy, Debug)]
+struct Form {
+    radius2: [f64; MOST_COEFFICIENTS],
+    height2: [f64; MOST_COEFFICIENTS],
+    height: [f64; MOST_COEFFICIENTS],
+}
+
+/// What is asked of a ray at every span: `a y^2 + b y + c` is the square of the radius of the cone that it sweeps about the
+/// axis, times `dy^2`, for heights from [`Lathe::level`].
+struct Cone {
+    a: f64,
+    b: f64,
+    c: f64,
+    dy2: f64,
+}
+
+/// Of the square of a cubic.
+const MOST_COEFFICIENTS: usize = 7;
+
+fn degree(kind: CurveKind) -> usize {
+    match kind {
+        CurveKind::Linear => 1,
+        CurveKind::Quadratic => 2,
+        CurveKind::Cubic => 3,
+    }
+}
+
+impl Form {
+    fn new(curve: &Curve2, level: f64) -> Self {
+        let degree = degree(curve.kind);
+        let bernstein = |pick: fn(Vec2) -> f64| {
+            let [a, b, c, d] = [curve.a, curve.b, curve.c, curve.d].map(pick);
+            match curve.kind {
+                CurveKind::Linear => [d, d + c, 0.0, 0.0],
+                CurveKind::Quadratic => [d, d + 0.5 * c, d + c + b, 0.0],
+                CurveKind::Cubic => [d, d + c / 3.0, d + (2.0 * c + b) / 3.0, d + c + b + a],
+            }
+        };
+        let (radius, height) = (bernstein(|v| v.x), bernstein(|v| v.y).map(|y| y - level));
+        Form {
+            radius2: product(degree, &radius, &radius),
+            height2: product(degree, &height, &height),
+            height: product(degree, &height, &[1.0; 4]),
+        }
+    }
+}
+
+/// The product of two polynomials of one degree in Bernstein form.
+fn product(degree: usize, f: &[f64; 4], g: &[f64; 4]) -> [f64; MOST_COEFFICIENTS] {
+    let choose = |n: usize, k: usize| (0..k).fold(1.0, |c, i| c * (n - i) as f64 / (i + 1) as f64);
+    let mut sum = [0.0; MOST_COEFFICIENTS];
+    for i in 0..=degree {
+        for j in 0..=degree {
+            sum[i + j] += choose(degree, i) * choose(degree, j) / choose(2 * degree, i + j) * f[i] * g[j];
+        }
+    }
+    sum
+}
+
+impl Cone {
+    /// Of a ray, whose [`radius_squared`] is given.
+    fn new(ray: &Ray, [c, b, a]: [f64; 3], level: f64) -> Self {
+        let (y, dy) = (ray.origin.y - level, ray.dir.y);
+        let b = b * dy;
+        Cone { a, b: b - 2.0 * a * y, c: (a * y - b) * y + c * dy * dy, dy2: dy * dy }
+    }
+
+    /// Positive for a point of the profile that lies within the cone; zero where the ray meets the turned profile.
+    fn off(&self, p: Vec2, level: f64) -> f64 {
+        let y = p.y - level;
+        (self.a * y + self.b) * y + self.c - p.x * p.x * self.dy2
+    }
+
+    /// [`Cone::off`] along a span, as Bernstein coefficients; at its ends it is given.
+    #[inline(always)]
+    fn off_along<const N: usize>(&self, form: &Form, ends: [f64; 2]) -> [f64; N] {
+        let mut off = [0.0; N];
+        let squares = form.height2.iter().zip(&form.radius2);
+        for (off, (height, (height2, radius2))) in off.iter_mut().zip(form.height.iter().zip(squares)) {
+            *off = self.a * height2 + self.b * height + self.c - self.dy2 * radius2;
+        }
+        (off[0], off[N - 1]) = ends.into();
+        off
+    }
 }
 
 impl Span {
     /// The stretches of a piece. Where two meet, both have the very same end.
-    fn of_piece(piece: usize, curve: &Curve2, [start, .., end]: &[Vec2; 4]) -> impl Iterator<Item = Span> {
+    fn of_piece(
+        piece: usize,
+        curve: &Curve2,
+        [start, .., end]: &[Vec2; 4],
+        level: f64,
+    ) -> impl Iterator<Item = Span> {
         let count = if curve.kind == CurveKind::Linear { 1 } else { SPANS };
         let (whole, start, end) = (*curve, *start, *end);
         let width = 1.0 / count as f64;
@@ -59,7 +158,8 @@ impl Span {
                 d: point(&whole, from),
                 kind: whole.kind,
             };
-            Span { piece: piece as u32, from, width, curve, ends: [joint(k), joint(k + 1)] }
+            let form = Form::new(&curve, level);
+            Span { piece: piece as u32, from, width, curve, ends: [joint(k), joint(k + 1)], form }
         })
     }
 
@@ -75,51 +175,24 @@ impl Span {
         (corner(Vec2::min), corner(Vec2::max))
     }
 
-    /// Calls `each(s)` for the curve parameters at which the cone that the ray sweeps about the axis meets the curve:
-    /// `|o dy + d (y(s) - oy)|^2 = r(s)^2 dy^2` in x and z. `radius2` is the ray's [`radius_squared`].
-    fn meets(&self, ray: &Ray, radius2: [f64; 3], each: impl FnMut(f64)) {
-        let (oy, dy) = (ray.origin.y, ray.dir.y);
-        let [c, b, a] = radius2;
-        let (b, c) = (b * dy, c * dy * dy);
-        let off = |p: Vec2| {
-            let y = p.y - oy;
-            (a * y + b) * y + c - p.x * p.x * dy * dy
+    /// Calls `each(s)` for the curve parameters at which the cone that the ray sweeps about the axis meets the curve.
+    #[inline]
+    fn meets(&self, cone: &Cone, level: f64, mut each: impl FnMut(f64)) {
+        let ends = self.ends.map(|p| cone.off(p, level));
+        let each = |s: f64| {
+            each(s);
+            true
         };
-        let (first, last) = (off(self.ends[0]), off(self.ends[1]));
-        let curve = &self.curve;
-        let y = [curve.d.y - oy, curve.c.y, curve.b.y, curve.a.y];
-        let r = [curve.d.x * dy, curve.c.x * dy, curve.b.x * dy, curve.a.x * dy];
-        let power = [a, b, c];
-        match curve.kind {
+        match self.curve.kind {
             CurveKind::Linear => {
-                let middle =
-                    c + 0.5 * b * (y[0] + y[0] + y[1]) + a * y[0] * (y[0] + y[1]) - r[0] * (r[0] + r[1]);
-                poly::bernstein_quadratic([first, middle, last]).iter().copied().for_each(each);
+                poly::bernstein_quadratic(cone.off_along(&self.form, ends)).iter().copied().all(each);
             }
-            CurveKind::Quadratic => meet_roots::<3, 5>(&y, &r, power, first, last, each),
-            CurveKind::Cubic => meet_roots::<4, 7>(&y, &r, power, first, last, each),
+            CurveKind::Quadratic => {
+                poly::visit_bernstein_roots(&cone.off_along::<5>(&self.form, ends), each);
+            }
+            CurveKind::Cubic => poly::visit_bernstein_roots(&cone.off_along::<7>(&self.form, ends), each),
         }
     }
-}
-
-/// The roots in 0..=1 of `a y^2 + b y + c - r^2`, for polynomials y and r of N coefficients.
-fn meet_roots<const N: usize, const M: usize>(
-    y: &[f64; 4],
-    r: &[f64; 4],
-    [a, b, c]: [f64; 3],
-    first: f64,
-    last: f64,
-    each: impl FnMut(f64),
-) {
-    let mut sum = [0.0; M];
-    sum[0] = c;
-    for i in 0..N {
-        sum[i] += b * y[i];
-        for j in 0..N {
-            sum[i + j] += a * y[i] * y[j] - r[i] * r[j];
-        }
-    }
-    poly::roots_in_unit(&sum, first, last).iter().copied().for_each(each);
 }
 
 /// One step of Newton's method towards the place where ray and turned curve are the same in height and radius.
@@ -140,11 +213,16 @@ impl Lathe {
     /// A lathe of the given profile.
     pub(crate) fn new(curves: &[Curve2]) -> Self {
         let profile = Outline::new(curves);
+        let (min, max) = profile.bounds();
+        let level = 0.5 * (min.y + max.y);
         let pieces = profile.pieces().enumerate();
         let spans: Vec<_> =
-            pieces.flat_map(|(i, (curve, points))| Span::of_piece(i, curve, points)).collect();
-        let boxes: Vec<_> = spans.iter().map(Span::bounds).collect();
-        Lathe { profile, spans, tree: PlaneTree::new(&boxes) }
+            pieces.flat_map(|(i, (curve, points))| Span::of_piece(i, curve, points, level)).collect();
+        let mut boxes: Vec<_> = spans.iter().map(Span::bounds).collect();
+        let forth = PlaneTree::new(&boxes);
+        boxes.reverse();
+        let rises = spans.first().zip(spans.last()).is_some_and(|(a, b)| a.ends[0].y < b.ends[1].y);
+        Lathe { profile, spans, level, trees: [forth, PlaneTree::new(&boxes)], rises }
     }
 
     /// Heights and radius of the barrel around it.
@@ -166,12 +244,15 @@ impl Lathe {
         let middle = 0.5 * (lo + hi);
         let near = Ray::new(ray.at(middle), ray.dir);
         let sweep = Sweep::new(&near);
+        let cone = Cone::new(&near, sweep.radius2, self.level);
         let (first, last) = (lo - middle, Cell::new(hi - middle));
-        self.tree.visit(
+        // What the ray comes to first had best be asked first: what lies beyond a hit need not be.
+        let forth = self.rises == (ray.dir.y > 0.0);
+        self.trees[usize::from(!forth)].visit(
             |node| sweep.passes(node, (first, last.get())),
             |i, _| {
-                let span = &self.spans[i];
-                span.meets(&near, sweep.radius2, |s| {
+                let span = &self.spans[if forth { i } else { self.spans.len() - 1 - i }];
+                span.meets(&cone, self.level, |s| {
                     let t = (point(&span.curve, s).y - near.origin.y) * sweep.per_y;
                     let (s, t) = polished(&near, &span.curve, s, t);
                     let u = span.from + s * span.width;
@@ -213,11 +294,11 @@ impl Surface for Lathe {
     }
 
     fn inside(&self, p: Vec3) -> bool {
-        self.profile.contains(Vec2::new(p.x.hypot(p.z), p.y))
+        self.profile.contains(Vec2::new(radius(p), p.y))
     }
 
     fn normal(&self, p: Vec3, hit: &LocalHit) -> Vec3 {
-        let rho = p.x.hypot(p.z);
+        let rho = radius(p);
         if rho * rho <= raggio_math::EPS {
             return Vec3::Y;
         }

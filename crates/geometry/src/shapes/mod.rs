@@ -6,6 +6,7 @@ mod collect;
 mod cone;
 mod container;
 mod disc;
+mod extruded;
 mod height_field;
 mod hypercomplex;
 mod isosurface;
@@ -205,6 +206,11 @@ pub(crate) fn moved(shape: &Shape, world_from_object: &Affine) -> Option<ShapeKi
         }
         Shape::Cone { base, base_radius, cap, cap_radius, open } => {
             moved_cone(&Cone::new(*base, *base_radius, *cap, *cap_radius, *open), world_from_object)
+        }
+        Shape::Disc { center, normal, radius, hole } => {
+            let scale = uniform_scale(world_from_object)?;
+            let disc = Disc::new(*center, *normal, *radius, *hole).moved(world_from_object, scale);
+            Some(ShapeKind::Disc(disc))
         }
         _ => None,
     }

@@ -2,8 +2,8 @@
 use raggio_math::{Aabb, Ray, Vec2, Vec3, poly};
 
 use super::collect::{Collect, searched_from};
-use super::revolve::{barrel_bounds, clip_to_barrel};
-use super::torus::torus_quartic;
+use super::revolve::{barrel_bounds, clip_to_barrel, radius};
+use super::torus::torus_curve;
 use super::turn;
 use crate::{LocalHit, Surface};
 
@@ -95,15 +95,15 @@ impl Ovus {
         let j = &self.join;
         let reach = (j.radius - j.inset).max(self.bottom.max(self.top));
         let Some((lo, hi)) = clip_to_barrel(ray, (j.from, j.to), reach, to.range()) else { return };
-        let middle = 0.5 * (lo + hi);
-        let near = Ray::new(ray.at(middle) - Vec3::new(0.0, j.height, 0.0), ray.dir);
-        let quartic = torus_quartic(&near, j.inset, j.radius);
-        for &t in poly::roots_in(&quartic, lo - middle, hi - middle).iter() {
+        let start = Ray::new(ray.at(lo) - Vec3::new(0.0, j.height, 0.0), ray.dir);
+        let curve = torus_curve(&start, hi - lo, j.inset, j.radius);
+        for &s in poly::bernstein_roots(&curve).iter() {
             // Of the two sheets of the spindle only the inner one is the egg's.
-            let p = near.at(t);
+            let t = s * (hi - lo);
+            let p = start.at(t);
             let inner = p.length_squared() + j.inset * j.inset <= j.radius * j.radius;
             if inner {
-                to.push(LocalHit { t: middle + t, part: JOIN, ..LocalHit::default() });
+                to.push(LocalHit { t: lo + t, part: JOIN, ..LocalHit::default() });
             }
         }
     }
@@ -133,7 +133,7 @@ impl Surface for Ovus {
             return true;
         }
         let j = &self.join;
-        let off = Vec2::new(p.x.hypot(p.z) + j.inset, p.y - j.height);
+        let off = Vec2::new(radius(p) + j.inset, p.y - j.height);
         j.from < p.y && p.y < j.to && off.length_squared() < j.radius * j.radius
     }
 
@@ -142,7 +142,7 @@ impl Surface for Ovus {
             BOTTOM => p,
             TOP => Vec3::new(p.x, p.y - self.bottom, p.z),
             _ => {
-                let rho = p.x.hypot(p.z);
+                let rho = radius(p);
                 let k = if rho > 0.0 { 1.0 + self.join.inset / rho } else { 0.0 };
                 Vec3::new(p.x * k, p.y - self.join.height, p.z * k)
             }

@@ -2,6 +2,7 @@
 use raggio_math::{Aabb, EPS, Ray, Vec2, Vec3};
 
 use super::collect::{Collect, searched_from};
+use super::extruded::{Met, Seen, planes};
 use super::outline::{Outline, slope};
 use super::plane_tree::Line;
 use super::revolve::clip_to_slab;
@@ -35,10 +36,13 @@ impl Prism {
         if far <= to.range().0 || near >= to.range().1 {
             return;
         }
+        if !self.conic {
+            return self.search_straight(ray, to);
+        }
         if !self.open {
             self.search_caps(ray, to);
         }
-        if self.conic { self.search_cone(ray, to) } else { self.search_side(ray, to) }
+        self.search_cone(ray, to);
     }
 
     fn search_caps(&self, ray: &Ray, to: &mut impl Collect) {
@@ -63,20 +67,20 @@ impl Prism {
         h.abs() > EPS && self.outline.contains(q / h)
     }
 
-    fn search_side(&self, ray: &Ray, to: &mut impl Collect) {
-        let (o, d) = (Vec2::new(ray.origin.x, ray.origin.z), Vec2::new(ray.dir.x, ray.dir.z));
-        let length = d.length_squared();
-        let normal = Vec2::new(-d.y, d.x);
-        let Some(slab) = clip_to_slab(ray.origin.y, ray.dir.y, self.heights, to.range()) else { return };
-        if length < EPS * EPS {
-            return;
-        }
-        let line = Line::new(normal, -normal.dot(o)).between(o + d * slab.0, o + d * slab.1);
-        self.outline.crossings(&line, |part, s, p| {
-            let t = (p - o).dot(d) / length;
-            if slab.0 <= t && t <= slab.1 {
-                to.push(LocalHit { t, part, u: s, v: 0.0 });
-            }
+    fn search_straight(&self, ray: &Ray, to: &mut impl Collect) {
+        let Some((planes, from_above)) = planes(ray.origin.y, ray.dir.y, self.heights) else { return };
+        let seen = Seen {
+            origin: Vec2::new(ray.origin.x, ray.origin.z),
+            dir: Vec2::new(ray.dir.x, ray.dir.z),
+            planes,
+            capped: !self.open && ray.dir.y.abs() >= EPS,
+            sided: true,
+        };
+        let (near, far) = (CAP + u32::from(from_above), CAP + u32::from(!from_above));
+        seen.search(&self.outline, to, |t, met| match met {
+            Met::Near => LocalHit { t, part: near, ..LocalHit::default() },
+            Met::Far => LocalHit { t, part: far, ..LocalHit::default() },
+            Met::Side(part, s) => LocalHit { t, part, u: s, v: 0.0 },
         });
     }
 

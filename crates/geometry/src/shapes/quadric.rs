@@ -186,7 +186,7 @@ impl Quadric {
 
 /// Where `a t^2 + 2 b t + c` is zero, for an `a` that is not.
 #[inline(always)]
-fn two_roots(a: f64, b: f64, c: f64) -> Option<(f64, f64)> {
+pub(super) fn two_roots(a: f64, b: f64, c: f64) -> Option<(f64, f64)> {
     let discriminant = b * b - a * c;
     if discriminant <= 0.0 || discriminant.is_nan() {
         return None;
@@ -200,13 +200,11 @@ fn two_roots(a: f64, b: f64, c: f64) -> Option<(f64, f64)> {
 #[cold]
 fn straight_stretch(b: f64, c: f64) -> Stretch {
     let (t, far) = (-0.5 * c / b, f64::INFINITY);
-    match () {
+    if !t.is_finite() {
         // The ray that stays as deep as it is has no end that is a number.
-        () if !t.is_finite() && c <= 0.0 => Stretch::EVERYWHERE,
-        () if !t.is_finite() => Stretch::NOWHERE,
-        () if b > 0.0 => Stretch::between(Some((-far, t))),
-        () => Stretch::between(Some((t, far))),
+        return if c <= 0.0 { Stretch::EVERYWHERE } else { Stretch::NOWHERE };
     }
+    Stretch::between(Some(if b > 0.0 { (-far, t) } else { (t, far) }))
 }
 
 impl Surface for Quadric {

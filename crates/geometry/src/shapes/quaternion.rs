@@ -47,7 +47,8 @@ impl Power {
         }
     }
 
-    fn degree(self) -> f64 {
+    #[inline(always)]
+    pub(crate) fn degree(self) -> f64 {
         match self {
             Power::Square => 2.0,
             Power::Cube => 3.0,
@@ -55,46 +56,46 @@ impl Power {
     }
 }
 
-/// `None` where the orbit of `q` stays bounded for `steps` steps, else a lower estimate of the distance to the set (Hart,
-/// Sandin and Kauffman, 1989).
-pub(crate) fn orbit(power: Power, q: Vec4, c: Vec4, steps: u32, escape: f64) -> Option<f64> {
+/// [`last_size`], with a lower estimate of the distance to the set where the orbit escapes (Hart, Sandin and Kauffman,
+/// 1989).
+#[inline]
+pub(crate) fn orbit(power: Power, q: Vec4, c: Vec4, steps: u32, escape: f64) -> ((u32, f64), Option<f64>) {
     let mut product2 = 1.0;
-    let (_, size2) = match power {
-        Power::Square => escape_of(Power::Square, q, c, (steps, escape), |f| product2 *= f),
-        Power::Cube => escape_of(Power::Cube, q, c, (steps, escape), |f| product2 *= f),
-    }?;
-    Some(0.25 * (size2 / product2).sqrt() * size2.ln())
+    let (step, size2) = match power {
+        Power::Square => follow(Power::Square, q, c, (steps, escape), |f| product2 *= f),
+        Power::Cube => follow(Power::Cube, q, c, (steps, escape), |f| product2 *= f),
+    };
+    let distance = || 0.25 * (size2 / product2).sqrt() * size2.ln();
+    ((step, size2), (step < steps).then(distance))
 }
 
 /// The step at which the orbit escapes, or `steps`, and the squared size of the last number that was looked at.
 pub(crate) fn last_size(power: Power, q: Vec4, c: Vec4, steps: u32, escape: f64) -> (u32, f64) {
-    let mut last = 0.0;
-    let escaped = match power {
-        Power::Square => escape_of(Power::Square, q, c, (steps, escape), |f| last = f / 4.0),
-        Power::Cube => escape_of(Power::Cube, q, c, (steps, escape), |f| last = f / 9.0),
-    };
-    escaped.unwrap_or((steps, last))
+    match power {
+        Power::Square => follow(Power::Square, q, c, (steps, escape), |_| ()),
+        Power::Cube => follow(Power::Cube, q, c, (steps, escape), |_| ()),
+    }
 }
 
-/// The step at which the orbit escapes, and the squared size with which it does. `each` gets the squares of the sizes of
-/// the derivatives of the steps before.
+/// [`last_size`] of one power. `each` gets the squares of the sizes of the derivatives of the steps before.
 #[inline(always)]
-fn escape_of(
+fn follow(
     power: Power,
     mut q: Vec4,
     c: Vec4,
     (steps, escape): (u32, f64),
     mut each: impl FnMut(f64),
-) -> Option<(u32, f64)> {
+) -> (u32, f64) {
+    let mut size2 = 0.0;
     for k in 0..steps {
-        let size2 = q.length_squared();
+        size2 = q.length_squared();
         if size2.is_nan() || size2 > escape {
-            return Some((k, size2));
+            return (k, size2);
         }
         each(power.degree() * power.degree() * size2);
         q = power.of(q) + c;
     }
-    None
+    (steps, size2)
 }
 
 /// Do the orbits of all numbers in a ball (middle and radius) escape, or none?

@@ -1,7 +1,8 @@
 //! What the shapes around the y axis have in common.
-use raggio_math::{Aabb, Ray, Vec3, poly};
+use raggio_math::{Aabb, Ray, Vec3};
 
 use super::plane_tree::Node;
+use super::quadric::two_roots;
 
 /// The part of `range` in which the ray is in the cylinder `y_range` by `radius` about the y axis.
 pub(crate) fn clip_to_barrel(
@@ -14,9 +15,8 @@ pub(crate) fn clip_to_barrel(
     let [c, b, a] = radius_squared(ray);
     let c = c - radius * radius;
     if a > 0.0 {
-        let roots = poly::quadratic([c, b, a]);
-        let (first, last) = (roots.first()?, roots.last()?);
-        (lo, hi) = (lo.max(*first), hi.min(*last));
+        let (first, last) = two_roots(a, 0.5 * b, c)?;
+        (lo, hi) = (greater(lo, first), least(hi, last));
     } else if c > 0.0 {
         return None;
     }
@@ -24,16 +24,25 @@ pub(crate) fn clip_to_barrel(
 }
 
 /// The part of `range` in which `o + t d` lies in the slab.
+#[inline]
 pub(crate) fn clip_to_slab(o: f64, d: f64, slab: (f64, f64), range: (f64, f64)) -> Option<(f64, f64)> {
     if d == 0.0 {
         return (slab.0 <= o && o <= slab.1).then_some(range);
     }
     let (a, b) = ((slab.0 - o) / d, (slab.1 - o) / d);
-    let (lo, hi) = (range.0.max(a.min(b)), range.1.min(a.max(b)));
+    let (a, b) = if d < 0.0 { (b, a) } else { (a, b) };
+    let (lo, hi) = (greater(a, range.0), least(b, range.1));
     (lo <= hi).then_some((lo, hi))
 }
 
+/// The distance from the axis. Not by way of `hypot`, which takes much longer and minds only what is as large as 1e150.
+#[inline(always)]
+pub(crate) fn radius(p: Vec3) -> f64 {
+    (p.x * p.x + p.z * p.z).sqrt()
+}
+
 /// `x^2 + z^2` along the ray, coefficients rising.
+#[inline(always)]
 pub(crate) fn radius_squared(ray: &Ray) -> [f64; 3] {
     let (o, d) = (ray.origin, ray.dir);
     [o.x * o.x + o.z * o.z, 2.0 * (o.x * d.x + o.z * d.z), d.x * d.x + d.z * d.z]

@@ -1,12 +1,9 @@
 //! The surface of revolution: the square of the radius is a cubic of the height, piece by piece (shapes spec,
 //! section 5).
-use std::cell::Cell;
-
 use raggio_math::{Aabb, EPS, Ray, Vec2, Vec3, poly};
 
-use super::collect::{Collect, searched_from};
-use super::plane_tree::PlaneTree;
-use super::revolve::{Sweep, barrel_bounds, circle_reach, clip_to_barrel, radius_squared};
+use super::collect::{Collect, Offset, searched_from};
+use super::revolve::{barrel_bounds, circle_reach, clip_to_barrel, radius, radius_squared};
 use super::turn;
 use crate::{LocalHit, Surface};
 
@@ -21,7 +18,6 @@ const TOP: u32 = u32::MAX;
 #[derive(Clone, Debug)]
 pub(crate) struct Sor {
     segments: Vec<Segment>,
-    tree: PlaneTree,
     /// The greatest radius.
     reach: f64,
     open: bool,
@@ -56,16 +52,14 @@ impl Segment {
         poly::eval(&self.c, (y - self.base).clamp(0.0, self.top - self.base))
     }
 
-    fn search(&self, part: u32, ray: &Ray, to: &mut impl Collect) {
-        let heights = (self.base, self.top);
-        let Some((lo, hi)) = clip_to_barrel(ray, heights, self.reach * (1.0 + 1e-9), to.range()) else {
-            return;
-        };
-        // A level ray at a joint belongs to the segment above.
-        if ray.dir.y == 0.0 && ray.origin.y == self.top {
-            return;
-        }
-        // Distances as a share of the stretch.
+    /// How far a point lies outside: the difference of the squares of its radius and the surface's.
+    fn off(&self, p: Vec3) -> f64 {
+        p.x * p.x + p.z * p.z - self.radius_squared(p.y)
+    }
+
+    /// The distances at which the ray meets the surface on a stretch, as shares of it; [`Segment::off`] is known at its
+    /// ends.
+    fn meets(&self, ray: &Ray, (lo, hi): (f64, f64), (at_lo, at_hi): (f64, f64)) -> poly::Roots<4> {
         let (start, way) = (ray.at(lo), ray.dir * (hi - lo));
         let [c, b, a] = radius_squared(&Ray::new(start, way));
         let h = [start.y - self.base, way.y];
@@ -76,13 +70,7 @@ impl Segment {
             a - h[1] * h[1] * (k[2] + 3.0 * h[0] * k[3]),
             -h[1] * h[1] * h[1] * k[3],
         ];
-        let off = |t: f64| {
-            let p = ray.at(t);
-            p.x * p.x + p.z * p.z - self.radius_squared(p.y)
-        };
-        for &s in poly::roots_in_unit(&cubic, off(lo), off(hi)).iter() {
-            to.push(LocalHit { t: lo + s * (hi - lo), part, ..LocalHit::default() });
-        }
+        poly::roots_in_unit(&cubic, at_lo, at_hi)
     }
 }
 
@@ -90,10 +78,8 @@ impl Sor {
     /// Points are (radius, height); the first and the last only steer.
     pub(crate) fn new(points: &[Vec2], open: bool) -> Self {
         let segments: Vec<_> = points.windows(4).map(Segment::new).collect();
-        let bounds = |s: &Segment| (Vec2::new(0.0, s.base), Vec2::new(s.reach, s.top));
-        let tree = PlaneTree::new(&segments.iter().map(bounds).collect::<Vec<_>>());
         let reach = segments.iter().map(|s| s.reach).fold(0.0, f64::max);
-        Sor { segments, tree, reach, open }
+        Sor { segments, reach, open }
     }
 
     /// Heights and radius of the barrel around it.
@@ -110,25 +96,57 @@ impl Sor {
         let margin = 1e-9 * (1.0 + heights.0.abs().max(heights.1.abs()));
         let heights = (heights.0 - margin, heights.1 + margin);
         let Some((lo, hi)) = clip_to_barrel(ray, heights, reach * (1.0 + 1e-9), to.range()) else { return };
+        self.search_caps(ray, to);
         // From a place nearby digits are not lost to the distance.
         let middle = 0.5 * (lo + hi);
-        let sweep = Sweep::new(&Ray::new(ray.at(middle), ray.dir));
-        let last = Cell::new(hi - middle);
-        self.tree.visit(
-            |node| sweep.passes(node, (lo - middle, last.get())),
-            |i, _| {
-                self.segments[i].search(i as u32, ray, to);
-                last.set(last.get().min(to.range().1 - middle));
-            },
-        );
-        if !self.open && ray.dir.y.abs() > EPS {
-            for (part, height, radius2) in self.caps() {
-                let t = (height - ray.origin.y) / ray.dir.y;
-                let p = ray.at(t);
-                if p.x * p.x + p.z * p.z <= radius2 {
-                    to.push(LocalHit { t, part, ..LocalHit::default() });
-                }
+        let near = Ray::new(ray.at(middle), ray.dir);
+        self.search_side(&near, (lo - middle, hi - middle), &mut Offset { start: middle, to });
+    }
+
+    fn search_caps(&self, ray: &Ray, to: &mut impl Collect) {
+        if self.open || ray.dir.y.abs() <= EPS {
+            return;
+        }
+        for (part, height, radius2) in self.caps() {
+            let t = (height - ray.origin.y) / ray.dir.y;
+            let p = ray.at(t);
+            if p.x * p.x + p.z * p.z <= radius2 {
+                to.push(LocalHit { t, part, ..LocalHit::default() });
             }
+        }
+    }
+
+    /// The segments in the order in which the ray comes to them. A level ray at a joint belongs to the one above.
+    fn search_side(&self, ray: &Ray, (lo, hi): (f64, f64), to: &mut impl Collect) {
+        let (upwards, y) = (ray.dir.y >= 0.0, ray.origin.y + lo * ray.dir.y);
+        let below = match upwards {
+            true => self.segments.partition_point(|s| s.top <= y),
+            false => self.segments.partition_point(|s| s.base < y),
+        };
+        let count = if upwards { self.segments.len() - below } else { below };
+        // Finite, so that no product with zero is undefined.
+        let per_y = (1.0 / ray.dir.y).clamp(-1e300, 1e300);
+        let joint = |height: f64| match ray.dir.y == 0.0 {
+            true if height > ray.origin.y => hi,
+            true => lo,
+            false => ((height - ray.origin.y) * per_y).clamp(lo, hi),
+        };
+        // Where two segments meet, both take the side of the ray that the first has found.
+        let mut start = None;
+        for k in 0..count {
+            let i = if upwards { below + k } else { below - 1 - k };
+            let s = &self.segments[i];
+            let (first, last) = if upwards { (s.base, s.top) } else { (s.top, s.base) };
+            let (a, off_a) = start.unwrap_or_else(|| (joint(first), s.off(ray.at(joint(first)))));
+            if a >= hi.min(to.range().1) {
+                return;
+            }
+            let b = joint(last);
+            let off_b = s.off(ray.at(b));
+            for &share in s.meets(ray, (a, b), (off_a, off_b)).iter() {
+                to.push(LocalHit { t: a + share * (b - a), part: i as u32, ..LocalHit::default() });
+            }
+            start = Some((b, off_b));
         }
     }
 
@@ -179,7 +197,7 @@ impl Surface for Sor {
     }
 
     fn uv(&self, p: Vec3, hit: &LocalHit) -> Option<Vec2> {
-        let share = |y: f64| p.x.hypot(p.z) / self.segment_at(y).map_or(1.0, |s| s.radius_squared(y).sqrt());
+        let share = |y: f64| radius(p) / self.segment_at(y).map_or(1.0, |s| s.radius_squared(y).sqrt());
         let v = match hit.part {
             BASE => share(self.segments[0].base) - 1.0,
             TOP => 2.0 - share(self.segments[self.segments.len() - 1].top),

@@ -6,10 +6,9 @@ use raggio_math::{Aabb, EPS, Ray, Vec2, Vec3};
 use raggio_scene::Glyph;
 
 use super::collect::{Collect, searched_from};
+use super::extruded::{Met, Seen, planes};
 use super::outline::{Outline, slope};
 use super::parts::Parts;
-use super::plane_tree::Line;
-use super::revolve::clip_to_slab;
 use crate::{LocalHit, Surface};
 
 const LEAST: f64 = 1e-6;
@@ -45,27 +44,17 @@ impl Text {
         let (at, outline) = &self.glyphs[i];
         let o = Vec2::new(ray.origin.x, ray.origin.y) - *at;
         let d = Vec2::new(ray.dir.x, ray.dir.y);
-        if ray.dir.z.abs() > EPS {
-            for (part, z) in [(FRONT, 0.0), (BACK, self.depth)] {
-                let t = (z - ray.origin.z) / ray.dir.z;
-                let (lo, hi) = to.range();
-                if lo < t && t < hi && outline.contains(o + d * t) {
-                    to.push(LocalHit { t, part, u: 0.0, v: i as f64 });
-                }
-            }
-        }
-        let length = d.length_squared();
-        if length < EPS * EPS || self.depth < 0.0 {
-            return;
-        }
-        let Some(slab) = clip_to_slab(ray.origin.z, ray.dir.z, (0.0, self.depth), to.range()) else { return };
-        let normal = Vec2::new(-d.y, d.x);
-        let line = Line::new(normal, -normal.dot(o)).between(o + d * slab.0, o + d * slab.1);
-        outline.crossings(&line, |piece, s, p| {
-            let t = (p - o).dot(d) / length;
-            if slab.0 <= t && t <= slab.1 {
-                to.push(LocalHit { t, part: piece * 4 + SIDE, u: s, v: i as f64 });
-            }
+        let (low, high) = (self.depth.min(0.0), self.depth.max(0.0));
+        let Some((planes, from_behind)) = planes(ray.origin.z, ray.dir.z, (low, high)) else { return };
+        // With a negative depth the back lies before the front.
+        let front_first = self.depth == 0.0 || from_behind == (self.depth < 0.0);
+        let (near, far) = if front_first { (FRONT, BACK) } else { (BACK, FRONT) };
+        let (capped, sided) = (ray.dir.z.abs() > EPS, self.depth >= 0.0);
+        let seen = Seen { origin: o, dir: d, planes, capped, sided };
+        seen.search(outline, to, |t, met| match met {
+            Met::Near => LocalHit { t, part: near, u: 0.0, v: i as f64 },
+            Met::Far => LocalHit { t, part: far, u: 0.0, v: i as f64 },
+            Met::Side(piece, s) => LocalHit { t, part: piece * 4 + SIDE, u: s, v: i as f64 },
         });
     }
 }

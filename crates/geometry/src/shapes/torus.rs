@@ -2,7 +2,7 @@
 use raggio_math::{Aabb, Ray, Vec2, Vec3, poly};
 
 use super::collect::{Collect, searched_from};
-use super::revolve::{circle_reach, clip_to_barrel};
+use super::revolve::{circle_reach, clip_to_barrel, radius};
 use crate::{LocalHit, Surface};
 
 const LEAST: f64 = 1e-4;
@@ -28,26 +28,32 @@ impl Torus {
         let Some((lo, hi)) = clip_to_barrel(ray, (-self.minor, self.minor), outer, to.range()) else {
             return;
         };
-        // Distances from the middle of what is left of the ray keep the coefficients small.
-        let middle = 0.5 * (lo + hi);
-        let quartic = torus_quartic(&Ray::new(ray.at(middle), ray.dir), self.major, self.minor);
-        poly::visit_roots_in(&quartic, lo - middle, hi - middle, |t| to.take(LocalHit::at(middle + t)));
+        let start = Ray::new(ray.at(lo), ray.dir);
+        let curve = torus_curve(&start, hi - lo, self.major, self.minor);
+        poly::visit_bernstein_roots(&curve, |s| to.take(LocalHit::at(lo + s * (hi - lo))));
     }
 }
 
-/// `(p.p + R^2 - r^2)^2 - 4 R^2 (x^2 + z^2)` along a ray of unit direction, over the torus about the origin. It is zero
-/// on `(rho - R)^2 + y^2 = r^2` and on the mirror sheet `(rho + R)^2 + y^2 = r^2`, which a spindle has.
-pub(crate) fn torus_quartic(ray: &Ray, major: f64, minor: f64) -> [f64; 5] {
+/// `(p.p + R^2 - r^2)^2 - 4 R^2 (x^2 + z^2)` along the first `length` of a ray of unit direction, over the torus about the
+/// origin: Bernstein coefficients. It is zero on `(rho - R)^2 + y^2 = r^2` and on the mirror sheet `(rho + R)^2 + y^2 =
+/// r^2`, which a spindle has.
+#[inline(always)]
+pub(crate) fn torus_curve(ray: &Ray, length: f64, major: f64, minor: f64) -> [f64; 5] {
     let (o, d) = (ray.origin, ray.dir);
-    let b = 2.0 * o.dot(d);
-    let c = o.length_squared() + (major - minor) * (major + minor);
-    let four = 4.0 * major * major;
+    let (four, square) = (4.0 * major * major, length * length);
+    let (turn, slope) = (o.x * o.x + o.z * o.z, length * (o.x * d.x + o.z * d.z));
+    let f0 = turn + o.y * o.y + (major - minor) * (major + minor);
+    let f1 = f0 + slope + length * o.y * d.y;
+    let f2 = 2.0 * f1 - f0 + square;
+    let g0 = four * turn;
+    let g1 = g0 + four * slope;
+    let g2 = 2.0 * g1 - g0 + four * square * (d.x * d.x + d.z * d.z);
     [
-        c * c - four * (o.x * o.x + o.z * o.z),
-        2.0 * b * c - four * 2.0 * (o.x * d.x + o.z * d.z),
-        b * b + 2.0 * c - four * (d.x * d.x + d.z * d.z),
-        2.0 * b,
-        1.0,
+        f0 * f0 - g0,
+        f0 * f1 - 0.5 * (g0 + g1),
+        (f0 * f2 + 2.0 * f1 * f1) / 3.0 - (g0 + 4.0 * g1 + g2) / 6.0,
+        f1 * f2 - 0.5 * (g1 + g2),
+        f2 * f2 - g2,
     ]
 }
 
@@ -73,12 +79,12 @@ impl Surface for Torus {
     }
 
     fn inside(&self, p: Vec3) -> bool {
-        let rho = p.x.hypot(p.z) - self.major;
+        let rho = radius(p) - self.major;
         rho * rho + p.y * p.y <= self.minor * self.minor
     }
 
     fn normal(&self, p: Vec3, _hit: &LocalHit) -> Vec3 {
-        let rho = p.x.hypot(p.z);
+        let rho = radius(p);
         let away = if rho < raggio_math::EPS {
             p
         } else {
@@ -89,7 +95,7 @@ impl Surface for Torus {
     }
 
     fn uv(&self, p: Vec3, _hit: &LocalHit) -> Option<Vec2> {
-        let rho = p.x.hypot(p.z);
+        let rho = radius(p);
         Some(Vec2::new(1.0 - share(p.z, p.x), share(p.y, rho - self.major)))
     }
 }

@@ -276,14 +276,22 @@ pub(super) fn vectors(octaves: &Octaves, out: &mut [[[f64; LANES]; 3]]) -> Optio
         .then(|| unsafe { many_vectors(p.x, p.y, p.z, scale, lambda, count, out) })
 }
 
+/// The sum of raw vector noise over octaves, each `omega` times as strong as the one before, if the processor has AVX2.
+#[inline]
+pub(super) fn vector_sum(octaves: &Octaves, omega: f64) -> Option<Vec3> {
+    let Octaves { p, scale, lambda, count } = *octaves;
+    // SAFETY: the processor was asked.
+    is_x86_feature_detected!("avx2")
+        .then(|| unsafe { summed_vectors(p.x, p.y, p.z, scale, lambda, count, omega) })
+}
+
 // Coordinates come one by one, in registers: as a `Vec3` they would come in memory, just stored one by one, and a wide
 // load of what was stored in parts has to wait.
 
 #[target_feature(enable = "avx2")]
 fn one_scalar(x: f64, y: f64, z: f64) -> f64 {
-    let p = [_mm256_set1_pd(x), _mm256_set1_pd(y), _mm256_set1_pd(z)];
-    let [x, y, z] = p;
-    _mm256_cvtsd_f64(scalar_lanes::<1>(x, y, z))
+    let lanes = scalar_lanes::<1>(_mm256_set1_pd(x), _mm256_set1_pd(y), _mm256_set1_pd(z));
+    _mm256_cvtsd_f64(lanes)
 }
 
 #[target_feature(enable = "avx2")]
@@ -359,4 +367,25 @@ fn many_vectors(
         };
         *out = [numbers(x), numbers(y), numbers(z)];
     }
+}
+
+#[target_feature(enable = "avx2")]
+fn summed_vectors(x: f64, y: f64, z: f64, mut scale: f64, lambda: f64, count: usize, omega: f64) -> Vec3 {
+    let (mut sum, mut weight) = ([0.0; 3], 1.0);
+    let mut left = count;
+    while left > 0 {
+        let p = four_octaves(x, y, z, &mut scale, lambda);
+        let noise = match left {
+            1 | 2 => vector_lanes::<2>(p),
+            3 => vector_lanes::<3>(p),
+            _ => vector_lanes::<4>(p),
+        };
+        let [x, y, z] = [numbers(noise[0]), numbers(noise[1]), numbers(noise[2])];
+        for i in 0..left.min(LANES) {
+            sum = [sum[0] + x[i] * weight, sum[1] + y[i] * weight, sum[2] + z[i] * weight];
+            weight *= omega;
+        }
+        left = left.saturating_sub(LANES);
+    }
+    Vec3::from(sum)
 }

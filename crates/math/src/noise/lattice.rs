@@ -198,6 +198,21 @@ pub(super) fn vectors(octaves: &Octaves, out: &mut [[[f64; LANES]; 3]]) {
     }
 }
 
+/// The sum of vector noise over octaves, each `omega` times as strong as the one before.
+#[inline]
+pub(super) fn vector_sum(octaves: &Octaves, omega: f64) -> Vec3 {
+    #[cfg(target_arch = "x86_64")]
+    if let Some(sum) = avx2::vector_sum(octaves, omega) {
+        return sum;
+    }
+    let (mut sum, mut weight) = (Vec3::ZERO, 1.0);
+    for p in octaves.points() {
+        sum += Cell::at(p).vector() * weight;
+        weight *= omega;
+    }
+    sum
+}
+
 #[cfg(all(test, target_arch = "x86_64"))]
 mod tests {
     use super::*;
@@ -236,5 +251,11 @@ mod tests {
             assert_eq!(scalars.as_flattened()[i], range.apply(Cell::at(p).scalar()), "{octaves:?} {i}");
             assert_eq!(vector.to_array(), [x, y, z].map(|v| v[i % LANES]), "{octaves:?} {i}");
         }
+        let (mut sum, mut weight) = (Vec3::ZERO, 1.0);
+        for p in octaves.points() {
+            sum += Cell::at(p).vector() * weight;
+            weight *= 0.7;
+        }
+        assert_eq!(avx2::vector_sum(octaves, 0.7), Some(sum), "{octaves:?}");
     }
 }

@@ -1,6 +1,6 @@
 //! Sums of noise over octaves (textures spec, section 1.5).
-use super::lattice::{LANES, Octaves};
-use super::{MOST_OCTAVES, clamp01, octave_groups, vector_groups};
+use super::lattice::{self, Octaves};
+use super::{MOST_OCTAVES, clamp01, octave_groups};
 use crate::Vec3;
 
 // Coordinates go in one by one, in registers: read back from memory in parts of another size than those just stored they
@@ -40,16 +40,7 @@ pub fn dturbulence(p: Vec3, octaves: u32, omega: f32, lambda: f32) -> Vec3 {
 }
 
 fn vector_sum(x: f64, y: f64, z: f64, octaves: u32, omega: f32, lambda: f32) -> Vec3 {
-    let octaves = first_at(Vec3::new(x, y, z), octaves, lambda);
-    let groups = vector_groups(octaves);
-    let (mut sum, mut weight) = (Vec3::ZERO, 1.0);
-    for i in 0..octaves.count {
-        let [x, y, z] = &groups[i / LANES];
-        let lane = i % LANES;
-        sum += Vec3::new(x[lane], y[lane], z[lane]) * weight;
-        weight *= f64::from(omega);
-    }
-    sum
+    lattice::vector_sum(&first_at(Vec3::new(x, y, z), octaves, lambda), omega.into())
 }
 
 fn first_at(p: Vec3, octaves: u32, lambda: f32) -> Octaves {

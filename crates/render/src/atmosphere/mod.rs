@@ -37,7 +37,7 @@ impl Sky {
     }
 
     /// What a ray sees that hits nothing.
-    pub fn miss(&self, beam: &Beam) -> Seen {
+    pub fn miss(&self, beam: &Beam<'_>) -> Seen {
         self.dome.miss(beam.ray.dir, beam.alpha)
     }
 

@@ -11,7 +11,6 @@ use raggio_scene::{self as scene, CameraKind};
 use raggio_shading::{Context, Noise, Normal};
 use smallvec::SmallVec;
 
-use crate::integrator::copied;
 pub use focal::{Lens, LensSample};
 pub use mesh::MeshRays;
 
@@ -62,7 +61,6 @@ pub struct Camera {
     pub lens: Option<Lens>,
     /// Set for mesh cameras, which shoot rays of their own.
     pub mesh: Option<MeshRays>,
-    /// The interiors around the starts of all rays; `None` where they differ from ray to ray.
     interiors: Option<SmallVec<[InteriorId; 8]>>,
 }
 
@@ -110,12 +108,10 @@ impl Camera {
         Some(Ray::new(origin, dir))
     }
 
-    /// The interiors around the start of a camera ray.
-    pub fn interiors(&self, ray: &Ray, geometry: &Geometry) -> SmallVec<[InteriorId; 8]> {
-        match &self.interiors {
-            Some(same) => copied(same),
-            None => geometry.interiors_at(ray.origin),
-        }
+    /// The interiors around the starts of all rays; `None` where they differ from ray to ray.
+    #[inline]
+    pub fn interiors(&self) -> Option<&[InteriorId]> {
+        self.interiors.as_deref()
     }
 
     fn raw_ray(&self, place: Place) -> Option<RawRay> {

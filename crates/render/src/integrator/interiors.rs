@@ -29,7 +29,7 @@ pub fn toggle(list: &mut Interiors, id: InteriorId) {
 
 impl World {
     /// Crosses a surface of an object with interior `id`.
-    pub(super) fn cross(&self, list: &Interiors, id: InteriorId) -> Crossing {
+    pub(super) fn cross(&self, list: &[InteriorId], id: InteriorId) -> Crossing {
         let this = self.interior(id);
         let air = (self.rules.air_ior, self.rules.air_dispersion, 0);
         let of = |id: InteriorId| {
@@ -37,7 +37,7 @@ impl World {
             (i.ior, i.dispersion, i.interior.dispersion_samples)
         };
         let own = (this.ior, this.dispersion, this.interior.dispersion_samples);
-        let mut interiors = super::copied(list);
+        let mut interiors = Interiors::from_slice(list);
         toggle(&mut interiors, id);
         let (from, to) = match (list.last(), list.contains(&id)) {
             (None, _) => (air, own),
@@ -50,7 +50,7 @@ impl World {
     }
 
     /// The relative index that Fresnel's formula wants: of what lies behind the surface over what lies before it.
-    pub(crate) fn fresnel_index(&self, list: &Interiors, id: InteriorId) -> f64 {
+    pub(crate) fn fresnel_index(&self, list: &[InteriorId], id: InteriorId) -> f64 {
         let ior = self.interior(id).ior;
         let last = list.last().map(|&id| self.interior(id).ior);
         match (last, list.contains(&id)) {

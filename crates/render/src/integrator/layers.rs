@@ -8,81 +8,130 @@ use smallvec::SmallVec;
 
 use super::reflection::Mirror;
 use super::surface::SurfacePoint;
-use super::{NormalPath, Seen, Tracer};
+use super::{NormalPath, Seen, Tracer, placed};
+use crate::world::WorldTexture;
+
+/// What layers of a point share, each found once for all of them.
+#[derive(Default)]
+struct Shared {
+    /// Diffuse light from other surfaces before and behind.
+    around: [Option<Rgb>; 2],
+    /// The radius of the photons gathered.
+    photons: Option<f64>,
+}
 
 /// What the layers so far leave for what lies below.
-struct Stack<'a> {
-    /// The sum of light.
-    light: Rgb,
+struct Below {
     /// What the layers let through.
     filter: Rgb,
     /// The same as one number.
     through: f32,
     /// Did any layer have a colour?
     colored: bool,
-    /// The normal of the top layer.
-    n_top: Vec3,
-    /// The thin film of the top layer, which colours total reflection.
-    irid_top: Option<&'a Irid>,
-    /// Diffuse light from other surfaces before and behind, found once for all layers.
-    around: [Option<Rgb>; 2],
-    /// The radius of the photons gathered, found once for all layers.
-    photons: Option<f64>,
-    mirrors: SmallVec<[Mirror; 2]>,
+}
+
+/// The layer on top, at which rays are bent.
+struct Top<'a> {
+    n: Vec3,
+    /// Its thin film, which colours total reflection.
+    irid: Option<&'a Irid>,
+}
+
+/// A layer where it is looked at.
+#[derive(Clone, Copy)]
+struct Look {
+    /// Its colour, clear white where it has none.
+    color: Color,
+    /// Has it a colour?
+    found: bool,
+    /// Its normal.
+    n: Vec3,
+}
+
+/// The place at which a layer is asked: a point of its own space, and the way of normals to there.
+type At<'a> = (Vec3, &'a NormalPath<'a>);
+
+impl Below {
+    /// Where nothing lies above.
+    const UNTOUCHED: Below = Below { filter: Rgb::ONE, through: 1.0, colored: false };
+
+    /// One more layer lies above.
+    #[inline(always)]
+    fn cover(&mut self, look: &Look, finish: &Finish, mirror: Option<&Mirror>) {
+        if look.found {
+            self.colored = true;
+            self.filter *= look.color.transmission();
+            if let Some(mirror) = mirror.filter(|_| finish.conserve_energy) {
+                self.filter *= (Rgb::ONE - mirror.reflectivity).min(Rgb::ONE);
+            }
+        }
+        self.through = grey(self.filter).abs().min(1.0);
+    }
 }
 
 impl Tracer<'_> {
-    /// What is seen of a plain texture at texture point `p`.
+    /// What is seen of a texture of one layer.
+    pub(super) fn one_layer(
+        &mut self,
+        point: &SurfacePoint<'_>,
+        texture: &WorldTexture,
+        layer: &Layer,
+    ) -> Seen {
+        let look = match layer.plain_color() {
+            Some(&color) if !self.quality.quick_color() => Look { color, found: true, n: point.n },
+            _ => self.look_alone(point, texture, layer),
+        };
+        let mut below = Below::UNTOUCHED;
+        let mirror = self.mirror(point, layer, look.n, look.color.rgb, 1.0);
+        let rgb = self.shine(point, &layer.finish, &look, Rgb::ONE, &mut Shared::default());
+        below.cover(&look, &layer.finish, mirror.as_ref());
+        if below.through <= self.bailout && mirror.is_none() {
+            return Seen { rgb, transmit: 0.0 };
+        }
+        let top = Top { n: look.n, irid: layer.finish.irid.as_ref() };
+        self.beyond(point, rgb, &below, &top, mirror.as_slice())
+    }
+
+    /// Looks at the only layer of a texture.
+    #[inline(never)]
+    fn look_alone(&self, point: &SurfacePoint<'_>, texture: &WorldTexture, layer: &Layer) -> Look {
+        let (path, p) = placed(texture, point.surface, point.material);
+        self.look(point, layer, (p, &path), &point.context())
+    }
+
+    /// What is seen of a plain texture at a place.
     pub(super) fn layers(
         &mut self,
         point: &SurfacePoint<'_>,
         layers: &[Layer],
-        p: Vec3,
-        path: &NormalPath<'_>,
+        at: At<'_>,
         context: &Context,
     ) -> Seen {
         if !self.quality.lights() {
-            return self.flat(layers, p, context);
+            return self.flat(layers, at.0, context);
         }
-        let mut stack = Stack {
-            light: Rgb::ZERO,
-            filter: Rgb::ONE,
-            through: 1.0,
-            colored: false,
-            n_top: point.n,
-            irid_top: None,
-            around: [None; 2],
-            photons: None,
-            mirrors: SmallVec::new(),
-        };
+        let (mut light, mut shared) = (Rgb::ZERO, Shared::default());
+        let mut mirrors: SmallVec<[Mirror; 2]> = SmallVec::new();
+        let mut below = Below::UNTOUCHED;
+        let mut top = Top { n: point.n, irid: None };
         for (i, layer) in layers.iter().rev().enumerate() {
-            if stack.through <= self.bailout {
+            if below.through <= self.bailout {
                 break;
             }
-            let n = match &layer.normal {
-                Some(normal) if self.quality.normals() => path.bend(normal, point.n, p, context),
-                _ => point.n,
-            };
+            let look = self.look(point, layer, at, context);
             if i == 0 {
-                stack.n_top = n;
-                stack.irid_top = layer.finish.irid.as_ref();
+                top = Top { n: look.n, irid: layer.finish.irid.as_ref() };
             }
-            self.layer(point, layer, n, (p, path), context, &mut stack);
+            let mirror = self.mirror(point, layer, look.n, look.color.rgb, below.through);
+            light += below.filter * self.shine(point, &layer.finish, &look, below.filter, &mut shared);
+            below.cover(&look, &layer.finish, mirror.as_ref());
+            mirrors.extend(mirror);
         }
-        self.beyond(point, &stack)
+        self.beyond(point, light, &below, &top, &mirrors)
     }
 
-    /// Adds one layer.
-    #[inline(always)]
-    fn layer(
-        &mut self,
-        point: &SurfacePoint<'_>,
-        layer: &Layer,
-        n: Vec3,
-        (p, path): (Vec3, &NormalPath<'_>),
-        context: &Context,
-        stack: &mut Stack<'_>,
-    ) {
+    /// A layer's colour and its normal.
+    fn look(&self, point: &SurfacePoint<'_>, layer: &Layer, (p, path): At<'_>, context: &Context) -> Look {
         let footprint = match layer.pigment.is_smooth() {
             true => self.footprint(point, path, p),
             false => None,
@@ -91,9 +140,25 @@ impl Tracer<'_> {
             Some(points) => layer.pigment.eval_over(&points, context),
             None => self.pigment(layer, p, context),
         };
-        let color = found.unwrap_or(Color { rgb: Rgb::ONE, filter: 0.0, transmit: 1.0 });
-        let finish = &layer.finish;
-        let mirror = self.mirror(point, finish, n, color.rgb, stack.through);
+        let n = match &layer.normal {
+            Some(normal) if self.quality.normals() => path.bend(normal, point.n, p, context),
+            _ => point.n,
+        };
+        let clear = Color { rgb: Rgb::ONE, filter: 0.0, transmit: 1.0 };
+        Look { color: found.unwrap_or(clear), found: found.is_some(), n }
+    }
+
+    /// The light that a layer sends out, of which `filter` is seen.
+    #[inline(always)]
+    fn shine(
+        &mut self,
+        point: &SurfacePoint<'_>,
+        finish: &Finish,
+        look: &Look,
+        filter: Rgb,
+        shared: &mut Shared,
+    ) -> Rgb {
+        let Look { color, n, .. } = look;
         let opacity = if self.world.rules.modern {
             color.opacity()
         } else {
@@ -105,30 +170,19 @@ impl Tracer<'_> {
         }
         let tint = color.rgb * opacity;
         if self.radiosity.is_some() {
-            own += self.light_around(point, finish, n, tint, stack);
+            own += self.light_around(point, finish, *n, grey(filter * tint), &mut shared.around);
         }
         let lit = match &self.radiosity {
             Some(state) if state.skips_lights() => Rgb::ZERO,
-            _ => self.light_of_lights(point, finish, n, color.rgb, opacity),
+            _ => self.light_of_lights(point, finish, n, &color.rgb, opacity),
         };
         let thrown = match &self.photons {
             Some(photons) if photons.on_surfaces() => {
-                self.photon_light(point, finish, n, color.rgb, opacity, &mut stack.photons)
+                self.photon_light(point, finish, *n, color.rgb, opacity, &mut shared.photons)
             }
             _ => Rgb::ZERO,
         };
-        stack.light += stack.filter * (tint * own + lit + thrown);
-        if found.is_some() {
-            stack.colored = true;
-            stack.filter *= color.transmission();
-        }
-        if let Some(mirror) = mirror {
-            if finish.conserve_energy && found.is_some() {
-                stack.filter *= (Rgb::ONE - mirror.reflectivity).min(Rgb::ONE);
-            }
-            stack.mirrors.push(mirror);
-        }
-        stack.through = grey(stack.filter).abs().min(1.0);
+        tint * own + lit + thrown
     }
 
     /// What a layer sends back of the light of lights. Light from under the surface takes the place of diffuse light.
@@ -136,48 +190,30 @@ impl Tracer<'_> {
         &mut self,
         point: &SurfacePoint<'_>,
         finish: &Finish,
-        n: Vec3,
-        rgb: Rgb,
+        n: &Vec3,
+        rgb: &Rgb,
         opacity: f32,
     ) -> Rgb {
-        match finish.subsurface {
-            Some(_) => self.light_with_below(point, finish, n, rgb, opacity),
-            None => self.local_light(point, finish, n, rgb, opacity),
-        }
+        let below = finish.subsurface.and_then(|_| self.light_from_below(point, finish, *n, *rgb));
+        let shiny = below.map(|_| Finish { diffuse: 0.0, diffuse_back: 0.0, ..*finish });
+        let reflected = self.local_light(point, shiny.as_ref().unwrap_or(finish), n, rgb, opacity);
+        below.map_or(reflected, |below| below + reflected)
     }
 
-    #[inline(never)]
-    fn light_with_below(
-        &mut self,
-        point: &SurfacePoint<'_>,
-        finish: &Finish,
-        n: Vec3,
-        rgb: Rgb,
-        opacity: f32,
-    ) -> Rgb {
-        match self.light_from_below(point, finish, n, rgb) {
-            Some(below) => {
-                let shiny = Finish { diffuse: 0.0, diffuse_back: 0.0, ..*finish };
-                below + self.local_light(point, &shiny, n, rgb, opacity)
-            }
-            None => self.local_light(point, finish, n, rgb, opacity),
-        }
-    }
-
-    /// What a layer sends back of the light of other surfaces, before it is tinted.
+    /// What a layer sends back of the light of other surfaces, before it is tinted; `share` of it is seen.
     #[inline(never)]
     fn light_around(
         &mut self,
         point: &SurfacePoint<'_>,
         finish: &Finish,
         n: Vec3,
-        tint: Rgb,
-        stack: &mut Stack<'_>,
+        share: f32,
+        around: &mut [Option<Rgb>; 2],
     ) -> Rgb {
         let mut sum = Rgb::ZERO;
         let sides = [(finish.diffuse_raw, n), (finish.diffuse_back_raw, -n)];
-        for ((diffuse, n), around) in sides.into_iter().zip(&mut stack.around) {
-            let share = grey(stack.filter * tint) * diffuse;
+        for ((diffuse, n), around) in sides.into_iter().zip(around) {
+            let share = share * diffuse;
             if around.is_none() && share > self.bailout {
                 *around = self.irradiance(point, n, point.beam.weight * share);
             }
@@ -218,24 +254,32 @@ impl Tracer<'_> {
     }
 
     /// Adds what shines through and what the layers mirror.
-    fn beyond(&mut self, point: &SurfacePoint<'_>, stack: &Stack<'_>) -> Seen {
-        let mut seen = Seen { rgb: stack.light, transmit: 0.0 };
+    #[inline(never)]
+    fn beyond(
+        &mut self,
+        point: &SurfacePoint<'_>,
+        light: Rgb,
+        below: &Below,
+        top: &Top<'_>,
+        mirrors: &[Mirror],
+    ) -> Seen {
+        let mut seen = Seen { rgb: light, transmit: 0.0 };
         let mut total = false;
-        if stack.through > self.bailout && self.quality.refraction() {
-            let weight = point.beam.weight * stack.filter.abs().max_element();
-            let behind = self.refract(point, stack.n_top, weight);
+        if below.through > self.bailout && self.quality.refraction() {
+            let weight = point.beam.weight * below.filter.abs().max_element();
+            let behind = self.refract(point, top.n, weight);
             let fade = self.world.interior(point.material.interior).seen_through(point);
             total = behind.total;
             if total {
-                seen.rgb += fade * behind.seen.rgb * self.film(stack.irid_top, point, stack.n_top);
+                seen.rgb += fade * behind.seen.rgb * self.film(top.irid, point, top.n);
             } else {
-                let filter = if stack.colored { stack.filter } else { Rgb::ONE };
+                let filter = if below.colored { below.filter } else { Rgb::ONE };
                 seen.rgb += fade * behind.seen.rgb * filter;
-                seen.transmit = grey(fade) * behind.seen.transmit * stack.through;
+                seen.transmit = grey(fade) * behind.seen.transmit * below.through;
             }
         }
-        for mirror in &stack.mirrors {
-            let same = (mirror.n - stack.n_top).abs().max_element() < EPS;
+        for mirror in mirrors {
+            let same = (mirror.n - top.n).abs().max_element() < EPS;
             if !(total && same) {
                 seen.rgb += self.mirrored(point, mirror);
             }

@@ -8,17 +8,17 @@ use raggio_scene::{Finish, Irid};
 
 use super::Tracer;
 use super::surface::SurfacePoint;
-use crate::lights::{LightSource, Path};
+use crate::lights::LightSource;
 
 /// Everything about a layer that its answer to a light depends on.
 struct Lit<'a> {
     finish: &'a Finish,
-    n: Vec3,
+    n: &'a Vec3,
     /// The pigment's colour.
-    rgb: Rgb,
+    rgb: &'a Rgb,
     opacity: f32,
     /// The ray's direction.
-    view: Vec3,
+    view: &'a Vec3,
     highlights: bool,
 }
 
@@ -40,16 +40,15 @@ impl Tracer<'_> {
         &mut self,
         point: &SurfacePoint<'_>,
         finish: &Finish,
-        n: Vec3,
-        rgb: Rgb,
+        n: &Vec3,
+        rgb: &Rgb,
         opacity: f32,
     ) -> Rgb {
         let dull = finish.diffuse == 0.0 && finish.diffuse_back == 0.0;
         if dull && finish.specular == 0.0 && finish.phong == 0.0 {
             return Rgb::ZERO;
         }
-        let highlights = point.beam.class != RayClass::Radiosity;
-        let lit = Lit { finish, n, rgb, opacity, view: point.beam.ray.dir, highlights };
+        let lit = Lit::new(point, finish, n, rgb, opacity);
         let mut sum = Rgb::ZERO;
         for (i, &light) in point.lights.iter().enumerate() {
             let source = &self.world.lights[light as usize];
@@ -64,7 +63,8 @@ impl Tracer<'_> {
         sum
     }
 
-    #[inline(always)]
+    /// Not inlined: the compiler would work out before the loop over lights all that any of them might ask for.
+    #[inline(never)]
     fn light_by_centre(
         &mut self,
         point: &SurfacePoint<'_>,
@@ -72,18 +72,20 @@ impl Tracer<'_> {
         i: usize,
         source: &LightSource,
     ) -> Rgb {
-        let path = source.path(point.surface.p);
-        let Some(back) = facing(point, lit, path.dir) else { return Rgb::ZERO };
+        let p = point.surface.p;
+        let path = source.path(p);
+        let cosine = lit.n.dot(path.dir);
+        let Some(back) = facing(point, lit, cosine) else { return Rgb::ZERO };
         let collects = point.material.photons.collect.unwrap_or(true);
         let light = self.arriving_once(point, i, |tracer| {
-            let bare = source.arriving(point.surface.p, &path, source.position);
-            tracer.after_shadows(source, point.surface.p, &path, bare, &point.beam.interiors, collects)
+            let bare = source.arriving(p, &path, source.position);
+            tracer.after_shadows(source, p, &path, bare, point.beam.interiors, collects)
         });
         if light.abs().max_element() <= EPS as f32 {
             return Rgb::ZERO;
         }
-        let sum = self.answer(lit, light, path.dir, back, !source.shadowless);
-        self.iridescent(point, lit, &path, sum)
+        let sum = self.answer(lit, light, (&path.dir, cosine), back, !source.shadowless);
+        self.iridescent(point, lit, &path.dir, sum)
     }
 
     /// `area_illumination`: every point of the light lights by its own direction, all share one shadow.
@@ -100,23 +102,24 @@ impl Tracer<'_> {
         let centre = source.path(p);
         let collects = point.material.photons.collect.unwrap_or(true);
         let shadowed = self.arriving_once(point, i, |tracer| {
-            tracer.after_shadows(source, p, &centre, source.color, &point.beam.interiors, collects)
+            tracer.after_shadows(source, p, &centre, source.color, point.beam.interiors, collects)
         });
         if shadowed.abs().max_element() <= EPS as f32 {
             return Rgb::ZERO;
         }
         let each = shadowed / (grid.size1 * grid.size2) as f32;
         let axes = grid.axes(centre.dir);
-        let random = self.streams.lights;
-        grid.pass_over(&mut self.streams.lights);
+        let random = self.streams.numbers().lights;
+        grid.pass_over(&mut self.streams.numbers().lights);
         let mut sum = Rgb::ZERO;
         for cell in 0..grid.size1 * grid.size2 {
             let from = source.position + grid.offset(axes, cell, &random);
             let path = source.path_to(p, from);
-            let Some(back) = facing(point, lit, path.dir) else { continue };
+            let cosine = lit.n.dot(path.dir);
+            let Some(back) = facing(point, lit, cosine) else { continue };
             let light = each * source.attenuation(p, &path, from) as f32;
-            let answer = self.answer(lit, light, path.dir, back, !source.shadowless);
-            sum += self.iridescent(point, lit, &path, answer);
+            let answer = self.answer(lit, light, (&path.dir, cosine), back, !source.shadowless);
+            sum += self.iridescent(point, lit, &path.dir, answer);
         }
         sum
     }
@@ -130,22 +133,28 @@ impl Tracer<'_> {
         (rgb, opacity): (Rgb, f32),
         lights: impl Iterator<Item = (Vec3, Rgb)>,
     ) -> Rgb {
-        let highlights = point.beam.class != RayClass::Radiosity;
-        let lit = Lit { finish, n, rgb, opacity, view: point.beam.ray.dir, highlights };
+        let lit = Lit::new(point, finish, &n, &rgb, opacity);
         let mut sum = Rgb::ZERO;
         for (dir, light) in lights {
-            if let Some(back) = facing(point, &lit, dir) {
-                sum += self.answer(&lit, light, dir, back, true);
+            let cosine = n.dot(dir);
+            if let Some(back) = facing(point, &lit, cosine) {
+                sum += self.answer(&lit, light, (&dir, cosine), back, true);
             }
         }
         sum
     }
 
-    /// Diffuse light and, from `shiny` lights, highlights for light from a direction.
+    /// Diffuse light and, from `shiny` lights, highlights for light from a direction with its cosine.
     #[inline(always)]
-    fn answer(&mut self, lit: &Lit<'_>, light: Rgb, dir: Vec3, back: bool, shiny: bool) -> Rgb {
+    fn answer(
+        &mut self,
+        lit: &Lit<'_>,
+        light: Rgb,
+        (dir, cosine): (&Vec3, f64),
+        back: bool,
+        shiny: bool,
+    ) -> Rgb {
         let finish = lit.finish;
-        let cosine = lit.n.dot(dir);
         let mut sum = Rgb::ZERO;
         let diffuse = if back { finish.diffuse_back } else { finish.diffuse };
         if diffuse > 0.0 {
@@ -153,15 +162,15 @@ impl Tracer<'_> {
             let lobe = if finish.brilliance == 1.0 { facing } else { facing.powf(finish.brilliance) };
             let mut intensity = lobe * diffuse * lit.opacity;
             if finish.crand > 0.0 {
-                intensity -= self.streams.crand.next() as f32 * finish.crand;
+                intensity -= self.streams.numbers().crand.next() as f32 * finish.crand;
             }
-            sum += lit.rgb * light * intensity;
+            sum += *lit.rgb * light * intensity;
         }
         if lit.highlights && shiny && !back {
             let strength = highlight(lit, dir);
             if strength != 0.0 {
                 let tint = match finish.metallic != 0.0 {
-                    true => tinted(light, finish.metallic, cosine, lit.rgb),
+                    true => tinted(light, finish.metallic, cosine, *lit.rgb),
                     false => light,
                 };
                 sum += tint * strength;
@@ -171,10 +180,10 @@ impl Tracer<'_> {
     }
 
     #[inline(always)]
-    fn iridescent(&self, point: &SurfacePoint<'_>, lit: &Lit<'_>, path: &Path, light: Rgb) -> Rgb {
+    fn iridescent(&self, point: &SurfacePoint<'_>, lit: &Lit<'_>, dir: &Vec3, light: Rgb) -> Rgb {
         match &lit.finish.irid {
             Some(irid) if irid.amount != 0.0 => {
-                let way = lit.n.dot(path.dir).abs() + lit.n.dot(lit.view).abs();
+                let way = lit.n.dot(*dir).abs() + lit.n.dot(*lit.view).abs();
                 light * self.interference(irid, point.surface.p, way)
             }
             _ => light,
@@ -198,10 +207,24 @@ impl Tracer<'_> {
     }
 }
 
-/// Does light from this side count? `Some(true)` is light from behind.
+impl<'a> Lit<'a> {
+    fn new(
+        point: &'a SurfacePoint<'_>,
+        finish: &'a Finish,
+        n: &'a Vec3,
+        rgb: &'a Rgb,
+        opacity: f32,
+    ) -> Lit<'a> {
+        let shines = finish.phong > 0.0 || finish.specular > 0.0;
+        let highlights = shines && point.beam.class != RayClass::Radiosity;
+        Lit { finish, n, rgb, opacity, view: &point.beam.ray.dir, highlights }
+    }
+}
+
+/// Does light count that comes at an angle with that cosine? `Some(true)` is light from behind.
 #[inline]
-fn facing(point: &SurfacePoint<'_>, lit: &Lit<'_>, dir: Vec3) -> Option<bool> {
-    if point.material.double_illuminate || lit.n.dot(dir) >= EPS {
+fn facing(point: &SurfacePoint<'_>, lit: &Lit<'_>, cosine: f64) -> Option<bool> {
+    if point.material.double_illuminate || cosine >= EPS {
         return Some(false);
     }
     (lit.finish.diffuse_back != 0.0).then_some(true)
@@ -214,21 +237,21 @@ fn lobe(x: f64, exponent: f64) -> f32 {
 }
 
 /// The strength of `phong` and `specular` highlights together.
-#[inline]
-fn highlight(lit: &Lit<'_>, dir: Vec3) -> f32 {
-    let finish = lit.finish;
+#[inline(never)]
+fn highlight(lit: &Lit<'_>, dir: &Vec3) -> f32 {
+    let (finish, view, n) = (lit.finish, *lit.view, *lit.n);
     let mut strength = 0.0;
     if finish.phong > 0.0 {
-        let mirrored = lit.view - lit.n * (2.0 * lit.view.dot(lit.n));
-        let x = mirrored.dot(dir);
+        let mirrored = view - n * (2.0 * view.dot(n));
+        let x = mirrored.dot(*dir);
         // Sharp highlights are cut where their power would be lost in rounding.
         if x > 0.0 && (finish.phong_size < 60.0 || x > 0.0008) {
             strength += finish.phong * lobe(x, f64::from(finish.phong_size));
         }
     }
     if finish.specular > 0.0 {
-        let halfway = (dir - lit.view) * 0.5;
-        let x = lit.n.dot(halfway) / halfway.length();
+        let halfway = (*dir - view) * 0.5;
+        let x = n.dot(halfway) / halfway.length();
         if x > 0.0 {
             strength += finish.specular * lobe(x, 1.0 / f64::from(finish.roughness));
         }

@@ -27,23 +27,13 @@ pub use textures::{NormalPath, for_each_plain, placed};
 /// The interiors around a ray, in the order in which it entered them.
 pub type Interiors = SmallVec<[InteriorId; 8]>;
 
-/// A copy of a list of interiors, quicker than `clone` for the short ones that they are.
-#[inline]
-pub(crate) fn copied(list: &Interiors) -> Interiors {
-    let mut copy = Interiors::new();
-    if !list.is_empty() {
-        list.iter().for_each(|&id| copy.push(id));
-    }
-    copy
-}
-
 /// A ray with its history.
-#[derive(Clone, Debug)]
-pub struct Beam {
+#[derive(Clone, Copy, Debug)]
+pub struct Beam<'a> {
     /// Where it goes.
     pub ray: Ray,
     /// What it is inside of.
-    pub interiors: Interiors,
+    pub interiors: &'a [InteriorId],
     /// How much it counts for the picture.
     pub weight: f32,
     /// Which objects it sees.
@@ -172,8 +162,27 @@ impl<'w> Tracer<'w> {
         }
     }
 
+    /// A tracer for the thread that calls which goes on where this one stands, with that much of its stack and without
+    /// radiosity and photons.
+    pub(crate) fn fork(&self, stack_allowance: usize) -> Tracer<'_> {
+        Tracer {
+            streams: self.streams,
+            level: self.level,
+            bailout: self.bailout,
+            scatter_depth: self.scatter_depth,
+            pixel: self.pixel,
+            way: self.way,
+            ..Tracer::new(self.world, self.quality, self.max_level, stack_allowance)
+        }
+    }
+
+    /// How much of the stack is left.
+    pub(crate) fn stack_left(&self) -> usize {
+        self.stack_allowance.saturating_sub(self.stack_base.abs_diff(stack_position()))
+    }
+
     /// What a ray sees. `continued` rays go straight on through a surface and use up no level.
-    pub fn trace(&mut self, beam: &Beam, continued: bool) -> Seen {
+    pub fn trace(&mut self, beam: &Beam<'_>, continued: bool) -> Seen {
         if self.level >= self.max_level || beam.weight < self.bailout || self.stack_is_spent() {
             return Seen::BLACK;
         }
@@ -183,7 +192,7 @@ impl<'w> Tracer<'w> {
 
     /// What a ray sees whose nearest hit is known.
     #[inline]
-    pub fn follow(&mut self, beam: &Beam, hit: Option<&Hit>, continued: bool) -> Seen {
+    pub fn follow(&mut self, beam: &Beam<'_>, hit: Option<&Hit>, continued: bool) -> Seen {
         let step = u16::from(!continued);
         self.level += step;
         let mut seen = match hit {
@@ -192,7 +201,7 @@ impl<'w> Tracer<'w> {
         };
         self.level -= step;
         let empty = self.world.sky.is_clear() && self.world.air.is_empty();
-        if !empty && self.quality.volume() && self.world.all_hollow(&beam.interiors) {
+        if !empty && self.quality.volume() && self.world.all_hollow(beam.interiors) {
             self.atmosphere(beam, hit, &mut seen);
         }
         seen
@@ -205,10 +214,10 @@ impl<'w> Tracer<'w> {
 
     /// Rainbows, media of empty space and fog over the way to the hit.
     #[inline(never)]
-    fn atmosphere(&mut self, beam: &Beam, hit: Option<&Hit>, seen: &mut Seen) {
+    fn atmosphere(&mut self, beam: &Beam<'_>, hit: Option<&Hit>, seen: &mut Seen) {
         let world = self.world;
         let depth = hit.map_or(FAR, |hit| hit.t);
-        world.sky.rainbows(&beam.ray, depth, &mut self.streams.lights, seen);
+        world.sky.rainbows(&beam.ray, depth, &mut self.streams.numbers().lights, seen);
         if !world.air.is_empty() {
             let lights = match hit {
                 Some(hit) => {

@@ -3,6 +3,7 @@ use raggio_geometry::RayClass;
 use raggio_image::Rgb;
 use raggio_math::{EPS, Ray, Vec3};
 use raggio_scene::{Finish, Irid, Reflection};
+use raggio_shading::Layer;
 
 use super::local::tinted;
 use super::surface::SurfacePoint;
@@ -26,14 +27,12 @@ impl Tracer<'_> {
     pub(crate) fn mirror(
         &self,
         point: &SurfacePoint<'_>,
-        finish: &Finish,
+        layer: &Layer,
         n: Vec3,
         rgb: Rgb,
         through: f32,
     ) -> Option<Mirror> {
-        let reflection = &finish.reflection;
-        let none = reflection.min == Rgb::ZERO && reflection.max == Rgb::ZERO;
-        if none { None } else { Some(self.mirror_of(point, finish, n, rgb, through)) }
+        layer.mirrors.then(|| self.mirror_of(point, &layer.finish, n, rgb, through))
     }
 
     /// What a layer with a reflection will mirror.
@@ -48,7 +47,7 @@ impl Tracer<'_> {
         let reflection = &finish.reflection;
         let cosine = -point.beam.ray.dir.dot(n);
         let (mut reflectivity, factor) = if reflection.fresnel {
-            let index = self.world.fresnel_index(&point.beam.interiors, point.material.interior);
+            let index = self.world.fresnel_index(point.beam.interiors, point.material.interior);
             let share = fresnel(index, cosine);
             let reflectivity = share_of(reflection, share);
             (reflectivity, reflectivity.max_element())
@@ -95,7 +94,7 @@ impl Mirror {
 }
 
 /// The ray that a surface mirrors.
-pub(crate) fn reflected(point: &SurfacePoint<'_>, n: Vec3, weight: f32) -> Beam {
+pub(crate) fn reflected<'a>(point: &SurfacePoint<'a>, n: Vec3, weight: f32) -> Beam<'a> {
     let beam = point.beam;
     let class = match beam.class {
         RayClass::Camera => RayClass::Reflected,
@@ -104,7 +103,7 @@ pub(crate) fn reflected(point: &SurfacePoint<'_>, n: Vec3, weight: f32) -> Beam 
     };
     Beam {
         ray: Ray::new(point.surface.p, reflected_direction(beam.ray.dir, n, point.n)),
-        interiors: super::copied(&beam.interiors),
+        interiors: beam.interiors,
         weight,
         class,
         alpha: false,

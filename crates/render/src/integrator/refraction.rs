@@ -18,9 +18,9 @@ pub(super) struct Behind {
 }
 
 /// A ray on its way behind a surface.
-pub struct Bent {
+pub struct Bent<'a> {
     /// The ray.
-    pub beam: Beam,
+    pub beam: Beam<'a>,
     /// Its part of each colour.
     pub hue: Rgb,
     /// Its part of the whole.
@@ -49,8 +49,14 @@ impl Tracer<'_> {
 
 impl World {
     /// Calls `each` with the ray behind a surface, or with many where colours part.
-    pub(crate) fn bend(&self, point: &SurfacePoint<'_>, n: Vec3, weight: f32, each: &mut dyn FnMut(Bent)) {
-        let crossing = self.cross(&point.beam.interiors, point.material.interior);
+    pub(crate) fn bend(
+        &self,
+        point: &SurfacePoint<'_>,
+        n: Vec3,
+        weight: f32,
+        each: &mut dyn FnMut(Bent<'_>),
+    ) {
+        let crossing = self.cross(point.beam.interiors, point.material.interior);
         let spreads = crossing.dispersion != 1.0;
         let own = point.beam.wavelength;
         if (crossing.eta - 1.0).abs() < EPS && !spreads {
@@ -81,10 +87,10 @@ impl World {
     }
 }
 
-fn through(point: &SurfacePoint<'_>, dir: Vec3, weight: f32, crossing: &Crossing) -> Beam {
+fn through<'a>(point: &SurfacePoint<'_>, dir: Vec3, weight: f32, crossing: &'a Crossing) -> Beam<'a> {
     Beam {
         ray: Ray::new(point.surface.p, dir),
-        interiors: super::copied(&crossing.interiors),
+        interiors: &crossing.interiors,
         weight,
         class: point.beam.class,
         alpha: point.beam.alpha,

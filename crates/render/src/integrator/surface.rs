@@ -10,7 +10,7 @@ use crate::world::WorldTexture;
 /// A surface point in work.
 pub struct SurfacePoint<'a> {
     /// The ray that found it.
-    pub beam: &'a Beam,
+    pub beam: &'a Beam<'a>,
     /// How far that ray went.
     pub depth: f64,
     /// What is known about it.
@@ -39,7 +39,7 @@ impl SurfacePoint<'_> {
 
 impl<'w> Tracer<'w> {
     /// What a ray sees that hit a surface.
-    pub(super) fn surface(&mut self, beam: &Beam, hit: &Hit) -> Seen {
+    pub(super) fn surface(&mut self, beam: &Beam<'_>, hit: &Hit) -> Seen {
         let world = self.world;
         let surface = world.geometry.interaction(&beam.ray, hit);
         let material = world.material(&surface);
@@ -61,13 +61,8 @@ impl<'w> Tracer<'w> {
         let way = self.way;
         self.way += hit.t;
         let mut seen = match alone {
-            Some((texture, layers)) => {
-                let context = point.context();
-                let uv = material.uv_mapping.then_some(surface.uv);
-                let (path, p) = placed(texture, surface.p, uv);
-                self.layers(&point, layers, p, &path, &context)
-            }
-            None => self.textures(&point),
+            Some((texture, layer)) if self.quality.lights() => self.one_layer(&point, texture, layer),
+            _ => self.textures(&point),
         };
         self.way = way;
         self.arriving.truncate(known);
@@ -78,13 +73,12 @@ impl<'w> Tracer<'w> {
     }
 
     /// The texture of a surface that has but one, of one layer.
-    fn single_layer(&self, surface: &Interaction) -> Option<(&'w WorldTexture, &'w [Layer])> {
+    fn single_layer(&self, surface: &Interaction) -> Option<(&'w WorldTexture, &'w Layer)> {
         let [TextureUse { texture, weight: 1.0 }] = surface.textures[..] else { return None };
         let texture = self.world.texture(texture);
-        match &*texture.texture {
-            Texture::Layers(layers) if layers.len() == 1 => Some((texture, layers)),
-            _ => None,
-        }
+        let Texture::Layers(layers) = &*texture.texture else { return None };
+        let [layer] = &layers[..] else { return None };
+        Some((texture, layer))
     }
 
     /// The weighted sum over all textures of a point.
@@ -92,14 +86,13 @@ impl<'w> Tracer<'w> {
     fn textures(&mut self, point: &SurfacePoint<'_>) -> Seen {
         let world = self.world;
         let context = point.context();
-        let uv = point.material.uv_mapping.then_some(point.surface.uv);
         let (mut rgb, mut transmit) = (Rgb::ZERO, 0.0);
         for used in &point.surface.textures {
             if used.weight < self.bailout {
                 continue;
             }
             let texture = world.texture(used.texture);
-            let (path, p) = placed(texture, point.surface.p, uv);
+            let (path, p) = placed(texture, point.surface, point.material);
             for_each_plain(
                 &texture.texture,
                 p,
@@ -107,7 +100,7 @@ impl<'w> Tracer<'w> {
                 &path,
                 &context,
                 &mut |layers, p, share, path| {
-                    let seen = self.layers(point, layers, p, path, &context);
+                    let seen = self.layers(point, layers, (p, path), &context);
                     rgb += seen.rgb * share;
                     transmit += seen.transmit * share;
                 },

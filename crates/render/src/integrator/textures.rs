@@ -1,5 +1,6 @@
 //! From a texture at a place to its plain layers: placement, maps, uv, and the way of normals through them.
-use raggio_math::{Vec2, Vec3, transform::normal_by_inverse};
+use raggio_geometry::{Interaction, Material};
+use raggio_math::{Vec3, transform::normal_by_inverse};
 use raggio_shading::{Context, Layer, Normal, Texture, TextureMap};
 
 use crate::world::{Frame, WorldTexture};
@@ -69,10 +70,14 @@ fn unit(n: Vec3) -> Vec3 {
 /// What a plain texture is asked with: its layers, the point, its weight, the way of normals.
 type Visit<'v> = dyn FnMut(&[Layer], Vec3, f32, &NormalPath<'_>) + 'v;
 
-/// A texture at its place: the path of its normals, and the point at which it is asked.
-pub fn placed<'a>(texture: &'a WorldTexture, p: Vec3, uv: Option<Vec2>) -> (NormalPath<'a>, Vec3) {
+/// A texture at its place on a surface: the path of its normals, and the point at which it is asked.
+pub fn placed<'a>(
+    texture: &'a WorldTexture,
+    surface: &Interaction,
+    material: &Material,
+) -> (NormalPath<'a>, Vec3) {
     let step = texture.frame.as_deref().map_or(Step::Stay, Step::Placed);
-    let p = uv.map_or(p, |uv| uv.extend(0.0));
+    let p = if material.uv_mapping { surface.uv.extend(0.0) } else { surface.p };
     (NormalPath { outer: None, step }, texture.point(p))
 }
 

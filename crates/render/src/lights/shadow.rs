@@ -10,7 +10,7 @@ use smallvec::SmallVec;
 
 use super::area::{AreaGrid, AreaScratch, View};
 use super::{LightSource, Path};
-use crate::integrator::{Interiors, NormalPath, Tracer, copied, fade, for_each_plain, placed, toggle};
+use crate::integrator::{Interiors, NormalPath, Tracer, fade, for_each_plain, placed, toggle};
 use crate::world::{Passing, World};
 
 /// Nearer than this to either end of a segment nothing casts a shadow.
@@ -43,7 +43,7 @@ impl Tracer<'_> {
         p: Vec3,
         path: &Path,
         light: Rgb,
-        interiors: &Interiors,
+        interiors: &[InteriorId],
         collects: bool,
     ) -> Rgb {
         if light == Rgb::ZERO || !self.quality.shadows() {
@@ -71,14 +71,14 @@ impl Tracer<'_> {
         p: Vec3,
         path: &Path,
         light: Rgb,
-        interiors: &Interiors,
+        interiors: &[InteriorId],
         collects: bool,
         scratch: &mut AreaScratch,
     ) -> Rgb {
         self.before_area(source, grid, p, path, &mut scratch.standing);
         let clear = self.is_clear(source);
-        let random = self.streams.lights;
-        grid.pass_over(&mut self.streams.lights);
+        let random = self.streams.numbers().lights;
+        grid.pass_over(&mut self.streams.numbers().lights);
         if clear && matches!(&scratch.standing, Standing::Listed(list) if list.is_empty()) {
             return light;
         }
@@ -124,7 +124,7 @@ impl Tracer<'_> {
         p: Vec3,
         path: &Path,
         light: Rgb,
-        interiors: &Interiors,
+        interiors: &[InteriorId],
         collects: bool,
         standing: &Standing,
     ) -> Rgb {
@@ -167,12 +167,12 @@ impl Tracer<'_> {
         ray: &Ray,
         distance: f64,
         mut light: Rgb,
-        interiors: &Interiors,
+        interiors: &[InteriorId],
         crossings: &[Crossing],
         (hazy, misty): (bool, bool),
     ) -> Rgb {
         let world = self.world;
-        let mut inside = copied(interiors);
+        let mut inside = Interiors::from_slice(interiors);
         let mut ray = *ray;
         let mut at = 0.0;
         for crossing in crossings {
@@ -218,12 +218,11 @@ impl World {
         let material = self.material(surface);
         let n = if surface.from_inside { -surface.n } else { surface.n };
         let context = Context { normal: Some(n), point: surface.p, ray_dir: ray.dir, uv: surface.uv };
-        let uv = material.uv_mapping.then_some(surface.uv);
-        let caustics = f64::from(self.interior(material.interior).interior.caustics) * 45.0;
+        let caustics = self.interior(material.interior).interior.caustics;
         let mut sum = Rgb::ZERO;
         for used in &surface.textures {
             let texture = self.texture(used.texture);
-            let (path, p) = placed(texture, surface.p, uv);
+            let (path, p) = placed(texture, surface, material);
             for_each_plain(
                 &texture.texture,
                 p,

@@ -21,7 +21,7 @@ impl Tracer<'_> {
     /// than wanted the steps are, for every photon that stays.
     pub fn media_photons(
         &mut self,
-        beam: &Beam,
+        beam: &Beam<'_>,
         depth: f64,
         lights: &[u32],
         steps: &Steps,
@@ -29,7 +29,7 @@ impl Tracer<'_> {
         store: &mut dyn FnMut(f64, Rgb, f64),
     ) -> Rgb {
         let world = self.world;
-        if !world.all_hollow(&beam.interiors) {
+        if !world.all_hollow(beam.interiors) {
             return power;
         }
         let lists: Vec<&MediaList> = beam.interiors.iter().map(|&id| &world.interior(id).media).collect();
@@ -39,14 +39,14 @@ impl Tracer<'_> {
         };
         let stored = media.iter().any(|m| m.scattering.is_some()) && media.iter().any(|m| m.collect);
         let intervals = intervals(&pieces(&ranges(world, &beam.ray, depth, lights), depth), leader);
-        let along = Along::new(media, leader, beam.ray, &beam.interiors);
+        let along = Along::new(media, leader, beam.ray, beam.interiors);
         for interval in &intervals {
             let wanted = (interval.length / steps.spacing).floor();
             let count = wanted.clamp(0.0, f64::from(steps.most));
             let stretch = if wanted > count { interval.length / (steps.spacing * count) } else { 1.0 };
             let mut thickness = Rgb::ZERO;
             for j in 0..count as u32 {
-                let moved = (self.streams.media.next() - 0.5) * steps.jitter;
+                let moved = (self.streams.numbers().media.next() - 0.5) * steps.jitter;
                 let t = interval.start + (f64::from(j) + 0.5 + moved) / count * interval.length;
                 if stored {
                     store(t, power, stretch);

@@ -1,4 +1,5 @@
 //! Sampling along a ray: intervals, the three methods, the sum (media spec, sections 1.4 and 1.5).
+use raggio_geometry::InteriorId;
 use raggio_image::Rgb;
 use raggio_math::{Ray, Vec3};
 use smallvec::SmallVec;
@@ -6,7 +7,7 @@ use smallvec::SmallVec;
 use super::lit::{LitRanges, Range};
 use super::phase::phase;
 use super::{Joined, Medium, exp};
-use crate::integrator::{Interiors, Tracer};
+use crate::integrator::Tracer;
 
 /// Everything that stays the same along a segment.
 pub(super) struct Along<'a> {
@@ -16,14 +17,14 @@ pub(super) struct Along<'a> {
     pub aa_threshold: f32,
     pub ray: Ray,
     pub lights: LitRanges,
-    pub interiors: &'a Interiors,
+    pub interiors: &'a [InteriorId],
     /// Only dimming counts.
     pub shadow: bool,
 }
 
 impl<'a> Along<'a> {
     /// A segment of a ray through some media of which one leads. Only dimming counts, and no lights.
-    pub(super) fn new(media: Joined<'a>, leader: &'a Medium, ray: Ray, interiors: &'a Interiors) -> Self {
+    pub(super) fn new(media: Joined<'a>, leader: &'a Medium, ray: Ray, interiors: &'a [InteriorId]) -> Self {
         let aa_threshold = media.iter().map(|m| m.sampling.aa_threshold).fold(f32::INFINITY, f32::min);
         Along { media, leader, aa_threshold, ray, lights: LitRanges::new(), interiors, shadow: true }
     }
@@ -41,7 +42,7 @@ pub(super) struct Interval {
     samples: f32,
 }
 
-pub(super) type Intervals = SmallVec<[Interval; 8]>;
+pub(super) type Intervals = SmallVec<[Interval; 2]>;
 
 /// What stuff does at a point: the light it sends, and how it dims.
 #[derive(Clone, Copy)]
@@ -96,12 +97,51 @@ impl Tracer<'_> {
         (glow, depth)
     }
 
+    /// Optical depth along a segment of which only dimming counts.
+    pub(super) fn optical_depth(&mut self, along: &Along<'_>, intervals: Intervals) -> Rgb {
+        // Where nothing glows nothing differs, so that method 3 refines nothing.
+        if along.leader.sampling.method == 3 && along.aa_threshold >= 0.0 {
+            return intervals.iter().fold(Rgb::ZERO, |sum, interval| sum + self.even_depth(along, interval));
+        }
+        self.integrate(along, intervals).1
+    }
+
+    /// The optical depth of an interval by the samples that method 3 always takes.
+    fn even_depth(&mut self, along: &Along<'_>, interval: &Interval) -> Rgb {
+        let sampling = &along.leader.sampling;
+        let n = sampling.steps();
+        let step = 1.0 / f64::from(n + 1);
+        let length = interval.length as f32;
+        let mut dim = |d: f64, width: f64| {
+            let d = d + width * sampling.jitter * (self.streams.numbers().media.next() - 0.5);
+            let p = along.ray.at(interval.start + d * interval.length);
+            let dims = along.media.iter().map(|medium| medium.density(p, along.ray.dir) * medium.extinction);
+            dims.fold(Rgb::ZERO, |sum, dim| sum + dim) * length
+        };
+        let mut before = dim(0.0, step);
+        let mut depth = Rgb::ZERO;
+        for j in 1..=n {
+            let here = dim(f64::from(j) * step, step);
+            let ends = (f64::from(j - 1) * step, f64::from(j) * step);
+            let middle = dim((ends.0 + ends.1) / 2.0, ends.1 - ends.0);
+            let third = 1.0 / 3.0;
+            depth += if sampling.aa_level <= 1 {
+                before * third + middle * third + here * third
+            } else {
+                let half = middle * (1.0 / 6.0);
+                (before * third + half) + (here * third + half)
+            };
+            before = here;
+        }
+        depth / n as f32
+    }
+
     /// Methods 1 and 2: samples at random or stratified, and more where they differ much.
     fn stochastic(&mut self, along: &Along<'_>, intervals: &mut Intervals) {
         let sampling = &along.leader.sampling;
         for interval in intervals.iter_mut() {
             for j in 0..sampling.min {
-                let u = self.streams.media.next();
+                let u = self.streams.numbers().media.next();
                 let d = match sampling.method {
                     2 => (f64::from(j) + 0.5 + u * sampling.jitter) / f64::from(sampling.min),
                     _ => u,
@@ -114,7 +154,7 @@ impl Tracer<'_> {
         }
         for interval in intervals.iter_mut() {
             while interval.samples <= sampling.max as f32 && interval.uncertain(&sampling.thresholds) {
-                let d = self.streams.media.next();
+                let d = self.streams.numbers().media.next();
                 self.add_sample(along, interval, d);
             }
         }
@@ -133,10 +173,10 @@ impl Tracer<'_> {
     /// Method 3: evenly spaced samples, refined where neighbours differ.
     fn adaptive(&mut self, along: &Along<'_>, interval: &mut Interval) {
         let sampling = &along.leader.sampling;
-        let n = (sampling.min / 2 + 1).max(2);
+        let n = sampling.steps();
         let step = 1.0 / f64::from(n + 1);
         let jittered = |tracer: &mut Self, d: f64, width: f64| {
-            let d = d + width * sampling.jitter * (tracer.streams.media.next() - 0.5);
+            let d = d + width * sampling.jitter * (tracer.streams.numbers().media.next() - 0.5);
             let sample = tracer.medium_at(along, interval.start + d * interval.length, interval.lit);
             let length = interval.length as f32;
             Sample { glow: sample.glow * length, dim: sample.dim * length }
@@ -214,6 +254,18 @@ fn mean_phase(media: &Joined<'_>, cosine: f64) -> f32 {
     (sum / media.len() as f64) as f32
 }
 
+impl Sample {
+    #[inline(always)]
+    fn times(self, v: f32) -> Sample {
+        Sample { glow: self.glow * v, dim: self.dim * v }
+    }
+
+    #[inline(always)]
+    fn plus(self, other: Sample) -> Sample {
+        Sample { glow: self.glow + other.glow, dim: self.dim + other.dim }
+    }
+}
+
 /// The mean between two samples, with more samples between them where their light differs.
 fn refine(
     sample: &mut impl FnMut(f64, f64) -> Sample,
@@ -225,26 +277,19 @@ fn refine(
 ) -> Sample {
     let d = (ends.0 + ends.1) / 2.0;
     let m = sample(d, ends.1 - ends.0);
-    let mix = |a: &Sample, wa: f32, b: &Sample, wb: f32| Sample {
-        glow: a.glow * wa + b.glow * wb,
-        dim: a.dim * wa + b.dim * wb,
-    };
+    let third = 1.0 / 3.0;
     if level <= 0 {
-        return mix(&mix(&a, 1.0 / 3.0, &m, 1.0 / 3.0), 1.0, &b, 1.0 / 3.0);
+        return a.times(third).plus(m.times(third)).plus(b.times(third));
     }
-    let differs = |x: &Sample| (x.glow - m.glow).abs().element_sum() > threshold;
-    let mut half = |end: &Sample, left: bool| {
-        if !differs(end) {
-            return mix(end, 1.0 / 3.0, &m, 1.0 / 6.0);
-        }
-        let inner = if left {
-            refine(sample, (ends.0, d), a, m, level - 1, threshold)
-        } else {
-            refine(sample, (d, ends.1), m, b, level - 1, threshold)
-        };
-        mix(&inner, 0.5, &inner, 0.0)
+    let half = m.times(1.0 / 6.0);
+    let differs = |x: Sample| (x.glow - m.glow).abs().element_sum() > threshold;
+    let left = match differs(a) {
+        true => refine(sample, (ends.0, d), a, m, level - 1, threshold).times(0.5),
+        false => a.times(third).plus(half),
     };
-    let left = half(&a, true);
-    let right = half(&b, false);
-    mix(&left, 1.0, &right, 1.0)
+    let right = match differs(b) {
+        true => refine(sample, (d, ends.1), m, b, level - 1, threshold).times(0.5),
+        false => b.times(third).plus(half),
+    };
+    left.plus(right)
 }

@@ -5,13 +5,14 @@ mod integrate;
 mod lit;
 mod phase;
 
+use raggio_geometry::InteriorId;
 use raggio_image::{Rgb, grey};
 use raggio_math::{Affine, Ray, Vec3};
 use raggio_scene::{self as scene, PigmentKind, Placed, Scattering};
 use raggio_shading::{Context, Noise, Pigment};
 use smallvec::SmallVec;
 
-use crate::integrator::{Beam, Interiors, Seen, Tracer};
+use crate::integrator::{Beam, Seen, Tracer};
 use crate::sampling::chi_square_quantile;
 pub use flight::Steps;
 use integrate::{Along, intervals};
@@ -106,6 +107,7 @@ impl Medium {
     }
 
     /// The density at a point of the world.
+    #[inline]
     fn density(&self, p: Vec3, ray_dir: Vec3) -> Rgb {
         if let Some(density) = self.even {
             return density;
@@ -150,6 +152,11 @@ impl Sampling {
             aa_threshold: media.aa_threshold,
         }
     }
+
+    /// How many steps method 3 takes through an interval.
+    fn steps(&self) -> u32 {
+        (self.min / 2 + 1).max(2)
+    }
 }
 
 /// About how long a pigment takes: 0 for a simple formula, 1 for much noise, crackle and the like.
@@ -182,9 +189,9 @@ fn leader<'a>(media: &Joined<'a>) -> Option<&'a Medium> {
 
 impl Tracer<'_> {
     /// Lays the media of all interiors of a ray over what was seen at `depth`.
-    pub fn contained_media(&mut self, beam: &Beam, depth: f64, lights: &[u32], seen: &mut Seen) {
+    pub fn contained_media(&mut self, beam: &Beam<'_>, depth: f64, lights: &[u32], seen: &mut Seen) {
         let world = self.world;
-        if !world.all_hollow(&beam.interiors) {
+        if !world.all_hollow(beam.interiors) {
             return;
         }
         let lists: SmallVec<[&MediaList; 8]> =
@@ -196,7 +203,7 @@ impl Tracer<'_> {
     pub fn media_along(
         &mut self,
         lists: &[&MediaList],
-        beam: &Beam,
+        beam: &Beam<'_>,
         depth: f64,
         lights: &[u32],
         seen: &mut Seen,
@@ -205,7 +212,7 @@ impl Tracer<'_> {
         let Some(leader) = leader(&media) else { return };
         let lights = ranges(self.world, &beam.ray, depth, lights);
         let intervals = intervals(&pieces(&lights, depth), leader);
-        let along = Along { lights, shadow: false, ..Along::new(media, leader, beam.ray, &beam.interiors) };
+        let along = Along { lights, shadow: false, ..Along::new(media, leader, beam.ray, beam.interiors) };
         let (glow, depth) = self.integrate(&along, intervals);
         let left = exp(-depth);
         seen.rgb = seen.rgb * left + glow;
@@ -213,7 +220,7 @@ impl Tracer<'_> {
     }
 
     /// What the media of a shadow ray's interiors leave of light over a segment.
-    pub fn media_filter(&mut self, interiors: &Interiors, ray: &Ray, depth: f64) -> Rgb {
+    pub fn media_filter(&mut self, interiors: &[InteriorId], ray: &Ray, depth: f64) -> Rgb {
         let world = self.world;
         if !world.all_hollow(interiors) {
             return Rgb::ONE;
@@ -236,10 +243,9 @@ impl Tracer<'_> {
             return Rgb::ONE;
         }
         let whole: Range = (0.0, depth);
-        let outside = Interiors::new();
-        let along = Along::new(media, leader, *ray, &outside);
+        let along = Along::new(media, leader, *ray, &[]);
         let intervals = intervals(&[(whole, false)], leader);
-        exp(-self.integrate(&along, intervals).1)
+        exp(-self.optical_depth(&along, intervals))
     }
 }
 

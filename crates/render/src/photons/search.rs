@@ -3,9 +3,11 @@
 //!
 //! What lies within the radius is written down as it comes; the nearest are picked out at the end, and now and then
 //! when too much has come together. The radius of the search before tells about how far to look.
+use std::hint::black_box;
+
 use raggio_math::{Vec3, Wide, wide};
 
-use crate::packed::{Lanes, Place, Tree, Visitor, WIDTH, around, below, each};
+use crate::packed::{Lanes, Place, Tree, Visitor, WIDTH, around, each};
 
 /// Up to eight photons that follow each other in the map.
 #[derive(Clone, Default)]
@@ -106,16 +108,37 @@ impl Visitor for Look<'_> {
     fn visit(&mut self, block: usize) {
         let block = &self.index.blocks[block];
         let squares = block.squares(self.place, self.normal);
-        let mut near = below(&squares, &[self.nearest.limit; WIDTH]);
-        let doubtful = near & block.shy;
-        if doubtful != 0 {
-            near &= !self.hidden(block, doubtful);
+        let limit = self.nearest.limit;
+        let mut near = [0; WIDTH];
+        for (i, near) in near.iter_mut().enumerate() {
+            *near = u32::from(squares[i] < limit);
         }
-        self.nearest.note(near, &squares, block.first);
+        // Kept together by `black_box`: what the compiler sees going separate ways it takes apart.
+        let mut near = black_box(near);
+        if block.shy != 0 {
+            self.forget_hidden(block, &mut near);
+        }
+        self.nearest.note(&near, &squares, block.first);
     }
 }
 
 impl Look<'_> {
+    /// Takes out what POV-Ray does not find.
+    #[inline(never)]
+    fn forget_hidden(&self, block: &Block, near: &mut [u32; WIDTH]) {
+        let mut doubtful = 0;
+        for (i, near) in near.iter().enumerate() {
+            doubtful |= (*near as u8) << i;
+        }
+        doubtful &= block.shy;
+        if doubtful != 0 {
+            let hidden = self.hidden(block, doubtful);
+            for (i, near) in near.iter_mut().enumerate() {
+                *near &= !u32::from(hidden >> i & 1);
+            }
+        }
+    }
+
     /// Which of some shy photons POV-Ray does not find: those on the wrong side of a plane that is too far away.
     #[cold]
     fn hidden(&self, block: &Block, doubtful: u8) -> u8 {
@@ -186,14 +209,23 @@ impl Nearest {
 
     /// Writes down some of the eight photons from a number on. All are written, and those that do not count written over.
     #[inline(always)]
-    fn note(&mut self, mask: u8, squares: &Lanes, first: u32) {
-        let mut end = self.count;
-        for (i, &square) in squares.iter().enumerate() {
-            self.found[end] = (u64::from(square.to_bits()) << 32) | u64::from(first + i as u32);
-            end += usize::from(mask >> i & 1);
+    fn note(&mut self, near: &[u32; WIDTH], squares: &Lanes, first: u32) {
+        let mut keys = [0; WIDTH];
+        for (i, key) in keys.iter_mut().enumerate() {
+            *key = (u64::from(squares[i].to_bits()) << 32) | u64::from(first.wrapping_add(i as u32));
         }
-        self.count = end;
-        if end + WIDTH > self.found.len() {
+        let keys = black_box(keys);
+        let Some(room) = self.found.get_mut(self.count..).and_then(|rest| rest.first_chunk_mut::<WIDTH>())
+        else {
+            return;
+        };
+        let mut noted = 0;
+        for (i, &key) in keys.iter().enumerate() {
+            room[noted % WIDTH] = key;
+            noted += near[i] as usize;
+        }
+        self.count += noted;
+        if self.count + WIDTH > self.found.len() {
             self.thin_out();
         }
     }

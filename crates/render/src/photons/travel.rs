@@ -8,13 +8,13 @@ use super::shoot::{Pair, Spread};
 use super::{Photon, allowed};
 use crate::integrator::reflection::{Mirror, reflected};
 use crate::integrator::surface::SurfacePoint;
-use crate::integrator::{Beam, NormalPath, Tracer, fade, for_each_plain, placed, toggle};
+use crate::integrator::{Beam, Interiors, NormalPath, Tracer, fade, for_each_plain, placed, toggle};
 use crate::media::Steps;
 
 /// A photon under way.
 pub(super) struct Flight<'a> {
     pub pair: &'a Pair<'a>,
-    pub beam: Beam,
+    pub beam: Beam<'a>,
     pub power: Rgb,
     /// The way so far.
     pub way: f64,
@@ -24,7 +24,10 @@ pub(super) struct Flight<'a> {
 
 impl<'a> Flight<'a> {
     /// The way on from the surface in work.
-    fn then(&self, beam: Beam, power: Rgb) -> Flight<'a> {
+    fn then<'b>(&self, beam: Beam<'b>, power: Rgb) -> Flight<'b>
+    where
+        'a: 'b,
+    {
         Flight { pair: self.pair, beam, power, way: self.way, straight: false }
     }
 }
@@ -71,7 +74,7 @@ impl Tracer<'_> {
         if !beam.interiors.is_empty() {
             power = match flight.pair.media.filter(|_| self.level > 0 && !flight.straight) {
                 Some(media) => self.stay(flight, media, hit.t, world.light_sets.of(material), landed),
-                None => power * self.media_filter(&beam.interiors, &beam.ray, hit.t),
+                None => power * self.media_filter(beam.interiors, &beam.ray, hit.t),
             };
         }
         let interior = &world.interior(material.interior).interior;
@@ -92,7 +95,7 @@ impl Tracer<'_> {
             arriving: None,
         };
         self.level += 1;
-        let next = Flight { pair: flight.pair, beam: beam.clone(), power, way, straight: false };
+        let next = Flight { pair: flight.pair, beam: *beam, power, way, straight: false };
         self.at_surface(&next, &point, before_target && !target, landed);
         self.level -= 1;
     }
@@ -126,10 +129,9 @@ impl Tracer<'_> {
     ) {
         let world = self.world;
         let context = point.context();
-        let uv = point.material.uv_mapping.then_some(point.surface.uv);
         for used in &point.surface.textures {
             let texture = world.texture(used.texture);
-            let (path, p) = placed(texture, point.surface.p, uv);
+            let (path, p) = placed(texture, point.surface, point.material);
             for_each_plain(
                 &texture.texture,
                 p,
@@ -173,7 +175,7 @@ impl Tracer<'_> {
             }
             let found = layer.pigment.eval(p, context);
             let color = found.unwrap_or(Color { rgb: Rgb::ONE, filter: 0.0, transmit: 1.0 });
-            let mirror = self.mirror(point, &layer.finish, n_bottom, color.rgb, through);
+            let mirror = self.mirror(point, layer, n_bottom, color.rgb, through);
             if found.is_some() {
                 filter *= Color { rgb: color.rgb * filter, ..color }.transmission();
             }
@@ -197,10 +199,11 @@ impl Tracer<'_> {
         passed: &Passed,
         landed: &mut Landed,
     ) {
-        let mut beam = flight.beam.clone();
+        let mut interiors = Interiors::from_slice(flight.beam.interiors);
+        toggle(&mut interiors, point.material.interior);
+        let mut beam = Beam { interiors: &interiors, ..flight.beam };
         beam.ray.origin = point.surface.p;
         beam.weight *= passed.filter.abs().max_element();
-        toggle(&mut beam.interiors, point.material.interior);
         let power = power * passed.filter;
         self.fly(&Flight { straight: true, ..flight.then(beam, power) }, landed);
     }

@@ -42,6 +42,9 @@ pub struct Found {
     pub weight: f32,
 }
 
+/// Samples with less weight do not count.
+const LEAST_WEIGHT: f64 = 1e-3;
+
 /// Samples of all depths.
 #[derive(Default)]
 pub struct Cache {
@@ -59,7 +62,7 @@ impl Cache {
         let Some(tree) = self.trees.get(depth as usize) else { return };
         tree.visit(query, &mut |sample| {
             let weight = sample.weight(query);
-            if weight > 1e-3 {
+            if weight > LEAST_WEIGHT {
                 let weight = weight as f32 * sample.quality;
                 found.sum += sample.light * weight;
                 found.weight += weight;
@@ -87,6 +90,11 @@ impl Cache {
 }
 
 impl Sample {
+    /// Does the sample count at a point?
+    pub fn counts_at(&self, query: &Query) -> bool {
+        self.weight(query) > LEAST_WEIGHT
+    }
+
     /// How much the sample counts; 0 where it does not fit.
     fn weight(&self, query: &Query) -> f64 {
         let offset = query.p - self.p;

@@ -8,8 +8,30 @@ use raggio_math::{MIN_HIT, Ray, Vec3};
 use super::cache::Sample;
 use super::{Rules, State};
 use crate::integrator::surface::SurfacePoint;
-use crate::integrator::{Beam, Interiors, Tracer};
+use crate::integrator::{Beam, Tracer};
 use crate::sampling::halton;
+
+/// A gather under way.
+pub(super) struct Gather<'a> {
+    rules: &'a Rules,
+    point: &'a SurfacePoint<'a>,
+    n: Vec3,
+    /// How much its rays count.
+    weight: f32,
+    /// Where they go, one for each.
+    pub directions: Vec<Vec3>,
+}
+
+/// What a ray of a gather brings.
+#[derive(Clone, Copy)]
+pub(super) struct Brought {
+    /// How far it went.
+    distance: Option<f64>,
+    /// Light times quality.
+    light: Rgb,
+    /// How well the light is known; 0 where none was asked for.
+    quality: f32,
+}
 
 /// Sums over the rays of a gather.
 struct Sums {
@@ -19,6 +41,20 @@ struct Sums {
     inverse_distances: f64,
     nearest: f64,
     toward: Vec3,
+}
+
+impl Sums {
+    fn add(&mut self, dir: Vec3, ray: &Brought) {
+        self.rays += 1;
+        if let Some(t) = ray.distance {
+            self.inverse_distances += 1.0 / t;
+            if t < self.nearest {
+                (self.nearest, self.toward) = (t, dir);
+            }
+        }
+        self.light += ray.light;
+        self.quality += ray.quality;
+    }
 }
 
 impl Tracer<'_> {
@@ -35,7 +71,8 @@ impl Tracer<'_> {
         self.bailout = settings.adc_bailout;
         self.quality = self.quality.for_gather(settings.media);
         let weight = (settings.brightness / 2.0).powi(depth as i32 + 1).max(settings.adc_bailout);
-        let sums = self.shoot_around(point, n, raw, depth, weight);
+        let directions = self.directions(n, raw, depth, rules.rays(depth));
+        let sums = self.shoot_around(&Gather { rules, point, n, weight, directions });
         (self.level, self.max_level, self.bailout, self.quality) = before;
         let Some(state) = self.radiosity.as_mut() else { return (Rgb::ZERO, 0.0) };
         state.depth = depth;
@@ -46,57 +83,53 @@ impl Tracer<'_> {
         (light, quality)
     }
 
-    fn shoot_around(
-        &mut self,
-        point: &SurfacePoint<'_>,
-        n: Vec3,
-        raw: Vec3,
-        depth: u32,
-        weight: f32,
-    ) -> Sums {
+    fn shoot_around(&mut self, gather: &Gather<'_>) -> Sums {
         let mut sums = Sums {
             light: Rgb::ZERO,
             quality: 0.0,
             rays: 0,
             inverse_distances: 0.0,
             nearest: f64::INFINITY,
-            toward: n,
+            toward: gather.n,
         };
-        let Some(rules) = self.radiosity.as_ref().map(|s| s.rules) else { return sums };
-        let count = rules.rays(depth);
-        let mut draws = 0;
-        while sums.rays < count {
-            let around = if draws < 5 * count { n } else { raw };
-            draws += 1;
-            let dir = turned(self.next_direction(depth), around);
-            if n != raw && around == n && dir.dot(raw) <= 0.0 {
-                continue;
-            }
-            let beam = Beam {
-                ray: Ray::new(point.surface.p, dir),
-                interiors: Interiors::new(),
-                weight,
-                class: RayClass::Radiosity,
-                alpha: false,
-                wavelength: None,
-                reach: f64::INFINITY,
-            };
-            self.gather_ray(&beam, rules, count, &mut sums);
+        let guesses = self.look_ahead(gather);
+        for (i, &dir) in (0..).zip(&gather.directions) {
+            let foreseen = guesses.as_ref().and_then(|guesses| self.foreseen(guesses, i));
+            let brought = foreseen.unwrap_or_else(|| self.gather_ray(gather, i));
+            sums.add(dir, &brought);
         }
         sums
     }
 
-    /// Shoots one ray and adds what it brings. Rays to objects of little importance only bring their distance.
-    fn gather_ray(&mut self, beam: &Beam, rules: &Rules, count: u32, sums: &mut Sums) {
-        let hit = self.world.geometry.closest(&beam.ray, (MIN_HIT, beam.reach), beam.class);
-        let i = sums.rays;
-        sums.rays += 1;
-        if let Some(hit) = &hit {
-            sums.inverse_distances += 1.0 / hit.t;
-            if hit.t < sums.nearest {
-                (sums.nearest, sums.toward) = (hit.t, beam.ray.dir);
+    /// The directions of a gather's rays over a surface.
+    fn directions(&mut self, n: Vec3, raw: Vec3, depth: u32, count: u32) -> Vec<Vec3> {
+        let mut directions = Vec::with_capacity(count as usize);
+        let mut draws = 0;
+        while directions.len() < count as usize {
+            let around = if draws < 5 * count { n } else { raw };
+            draws += 1;
+            let dir = turned(self.next_direction(depth), around);
+            if n == raw || around != n || dir.dot(raw) > 0.0 {
+                directions.push(dir);
             }
         }
+        directions
+    }
+
+    /// Shoots ray number `i`. Rays to objects of little importance only bring their distance.
+    pub(super) fn gather_ray(&mut self, gather: &Gather<'_>, i: u32) -> Brought {
+        let Gather { rules, point, directions, .. } = gather;
+        let beam = Beam {
+            ray: Ray::new(point.surface.p, directions[i as usize]),
+            interiors: &[],
+            weight: gather.weight,
+            class: RayClass::Radiosity,
+            alpha: false,
+            wavelength: None,
+            reach: f64::INFINITY,
+        };
+        let hit = self.world.geometry.closest(&beam.ray, (MIN_HIT, beam.reach), beam.class);
+        let distance = hit.as_ref().map(|hit| hit.t);
         let mut quality = 1.0;
         if rules.uneven {
             let importance = match &hit {
@@ -107,23 +140,23 @@ impl Tracer<'_> {
                 None => None,
             };
             let importance = importance.unwrap_or(rules.default_importance);
+            let count = directions.len() as u32;
             let last = count.max(2) - 1;
             if importance < i as f32 / last as f32 {
-                return;
+                return Brought { distance, light: Rgb::ZERO, quality: 0.0 };
             }
             if importance < 1.0 {
                 quality = count as f32 / ((importance * last as f32).floor() + 1.0);
             }
         }
         self.set_ray_quality(1.0);
-        let mut light = self.follow(beam, hit.as_ref(), false).rgb;
+        let mut light = self.follow(&beam, hit.as_ref(), false).rgb;
         quality *= self.radiosity.as_ref().map_or(1.0, |s| s.ray_quality);
         let brightest = light.max_element();
         if rules.settings.max_sample > 0.0 && brightest > rules.settings.max_sample {
             light *= rules.settings.max_sample / brightest;
         }
-        sums.light += light * quality;
-        sums.quality += quality;
+        Brought { distance, light: light * quality, quality }
     }
 
     fn set_ray_quality(&mut self, quality: f32) {
@@ -174,6 +207,9 @@ impl State<'_> {
         // The error may be raised by a quarter for surfaces that count little.
         let reach = sample.mean_distance * (f64::from(settings.error_bound) + 0.25) * scale;
         let shrink = if self.depth == 0 { 1.0 } else { 8.0 };
+        if self.turns.is_some() {
+            self.made.push((self.depth, sample.clone()));
+        }
         self.own.insert(self.depth, sample, reach / shrink);
     }
 }

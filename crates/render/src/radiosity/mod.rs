@@ -2,7 +2,9 @@
 //! the irradiance cache of Ward, Rubinstein and Clear 1988).
 //!
 //! The picture does not depend on threads: samples of a pass are seen by later passes, and within the pass only by
-//! the group of tiles that made them. Pass k has 2^k groups.
+//! the group of tiles that made them. Pass k has 2^k groups; threads without a
+//! group help with the rays of new samples.
+mod ahead;
 mod cache;
 mod gather;
 mod pretrace;
@@ -11,10 +13,12 @@ use raggio_image::{Rgb, grey};
 use raggio_math::Vec3;
 use raggio_scene::RadiositySettings;
 
+use crate::film::Turns;
 use crate::integrator::Tracer;
 use crate::integrator::surface::SurfacePoint;
+use ahead::Asked;
 pub use cache::Cache;
-use cache::{Found, Query};
+use cache::{Found, Query, Sample};
 pub use pretrace::pretrace;
 
 /// The settings of a scene with what follows from them.
@@ -75,6 +79,14 @@ pub struct State<'w> {
     pretrace: bool,
     /// How well the light of the present ray is known.
     ray_quality: f32,
+    /// The work of all threads, of which those that have none left help with gathers.
+    turns: Option<&'w Turns>,
+    /// With helpers: the samples made, with their depths.
+    made: Vec<(u32, Sample)>,
+    /// Of a helper: the samples of the group that it works for.
+    before: Option<&'w Cache>,
+    /// Of a helper: what the present ray wants to know. Helpers make no samples.
+    asked: Option<Asked>,
 }
 
 impl<'w> State<'w> {
@@ -88,7 +100,16 @@ impl<'w> State<'w> {
             depth: 0,
             pretrace,
             ray_quality: 1.0,
+            turns: None,
+            made: Vec::new(),
+            before: None,
+            asked: None,
         }
+    }
+
+    /// The same with the help of threads that have no turn left.
+    pub fn with_helpers_of(self, turns: &'w Turns) -> Self {
+        State { turns: Some(turns), ..self }
     }
 
     /// Surfaces that the camera sees need no lights before the final picture.
@@ -117,11 +138,17 @@ impl Tracer<'_> {
         };
         let mut found = Found::default();
         state.shared.look_up(depth, &query, &mut found);
+        if let Some(before) = state.before {
+            before.look_up(depth, &query, &mut found);
+        }
         state.own.look_up(depth, &query, &mut found);
         let wanted = rules.wanted(depth);
         let lazy = !state.pretrace && !settings.always_sample && found.weight > 0.0;
         let enough = 4.0 * found.weight >= wanted || lazy;
-        if !enough {
+        if let Some(asked) = self.radiosity.as_mut().and_then(|s| s.asked.as_mut()) {
+            asked.queries.push((depth, query));
+            asked.stuck |= !enough;
+        } else if !enough {
             let (light, quality) = self.gather(point, query.n, raw);
             found.sum += light * quality;
             found.weight += quality;

@@ -2,11 +2,10 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use raggio_math::noise;
-use rayon::prelude::*;
 
 use super::{Cache, State};
 use crate::api::Options;
-use crate::film::Tile;
+use crate::film::{Tile, Turns, in_turn};
 use crate::photons;
 use crate::sampler::Sampler;
 use crate::world::World;
@@ -32,8 +31,9 @@ pub fn pretrace(
         let step = (first / f64::from(1u32 << pass.min(30))).max(last);
         let groups = (1usize << pass.min(10)).min(tiles.len().max(1));
         let shared = &cache;
+        let (order, turns) = ((0..groups).collect::<Vec<_>>(), Turns::new(groups));
         let work = |group: usize| {
-            let mut state = State::new(rules, shared, true);
+            let mut state = State::new(rules, shared, true).with_helpers_of(&turns);
             if let Some(cursors) = cursors.get(group) {
                 state.cursors.clone_from(cursors);
             }
@@ -45,7 +45,7 @@ pub fn pretrace(
             }
             sampler.into_radiosity().map(|state| (state.own, state.cursors))
         };
-        let made: Vec<_> = (0..groups).into_par_iter().with_max_len(1).map(work).collect();
+        let made = in_turn(&order, &turns, work);
         cursors.clear();
         for (own, cursor) in made.into_iter().flatten() {
             cache.absorb(own);

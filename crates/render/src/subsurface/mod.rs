@@ -66,7 +66,7 @@ impl Tracer<'_> {
             return Some(Rgb::ZERO);
         }
         let albedo = world.interior(point.material.interior).albedo.as_ref()?;
-        let eta = world.fresnel_index(&point.beam.interiors, point.material.interior);
+        let eta = world.fresnel_index(point.beam.interiors, point.material.interior);
         let site = Site {
             point,
             coefficients: Coefficients::new(albedo, rgb * finish.diffuse_raw, translucency, eta),

@@ -9,7 +9,7 @@ use raggio_math::{EPS, MIN_HIT, Ray, Vec3};
 
 use super::{Site, fresnel_transmission};
 use crate::integrator::refraction::refracted_direction;
-use crate::integrator::{Beam, Interiors, Tracer};
+use crate::integrator::{Beam, Tracer};
 use crate::lights::LightSource;
 use crate::sampling::halton;
 
@@ -36,7 +36,7 @@ impl Tracer<'_> {
         let path = light.path(p);
         let bare = light.arriving(p, &path, light.position);
         let collects = site.point.material.photons.collect.unwrap_or(true);
-        (self.after_shadows(light, p, &path, bare, &Interiors::new(), collects), path.dir)
+        (self.after_shadows(light, p, &path, bare, &[], collects), path.dir)
     }
 
     /// Light that was scattered so often that its direction is lost.
@@ -63,9 +63,6 @@ impl Tracer<'_> {
             if !entry.same {
                 continue;
             }
-            let cosine = entry.n.dot(ray.dir).abs().max(0.01);
-            let area = 4.0 * PI * (entry.t * site.mm_per_unit).powi(2) / cosine;
-            let answer = site.coefficients.dipole((entry.p - x).length() * site.mm_per_unit);
             let mut light = Rgb::ZERO;
             for &i in site.point.lights {
                 let source = &self.world.lights[i as usize];
@@ -73,6 +70,12 @@ impl Tracer<'_> {
                 let c = entry.n.dot(dir).abs();
                 light += arriving * (c * fresnel_transmission(site.eta, c)) as f32;
             }
+            if light == Rgb::ZERO {
+                continue;
+            }
+            let cosine = entry.n.dot(ray.dir).abs().max(0.01);
+            let area = 4.0 * PI * (entry.t * site.mm_per_unit).powi(2) / cosine;
+            let answer = site.coefficients.dipole((entry.p - x).length() * site.mm_per_unit);
             sum += light * answer * (area * leaving) as f32;
         }
         if hits > 0 { sum / hits as f32 } else { Rgb::ZERO }
@@ -101,7 +104,7 @@ impl Tracer<'_> {
     /// One scattering event of one channel.
     fn single_sample(&mut self, site: &Site<'_>, inside: &Ray, depth: f64, channel: usize) -> f32 {
         let medium = site.coefficients.channels[channel];
-        let random = self.streams.lights.next();
+        let random = self.streams.numbers().lights.next();
         if medium.extinction <= 0.0 || random <= 0.0 {
             return 0.0;
         }
@@ -145,15 +148,16 @@ impl Tracer<'_> {
             ray: Ray::new(exit.p, dir),
             weight: left.max_element(),
             reach: f64::INFINITY,
-            ..site.point.beam.clone()
+            ..*site.point.beam
         };
         self.trace(&beam, false).rgb * left
     }
 
     /// Directions spread evenly over the sphere, one after the other.
     fn next_sphere_direction(&mut self) -> Vec3 {
-        self.streams.scatter = (self.streams.scatter + 1) % CYCLE;
-        DIRECTIONS[self.streams.scatter as usize]
+        let place = &mut self.streams.numbers().scatter;
+        *place = (*place + 1) % CYCLE;
+        DIRECTIONS[*place as usize]
     }
 }
 

@@ -27,7 +27,7 @@ pub enum Usage {
 /// A picture with what was said about its encoding.
 pub struct Source {
     /// The samples.
-    pub bitmap: Arc<Bitmap>,
+    pub bitmap: Bitmap,
     /// `gamma`, the curve that the scene says the file has.
     pub gamma: Option<Curve>,
     /// `premultiplied`, or what the file says.
@@ -66,7 +66,7 @@ pub fn block_with(
 fn image_map(p: &Parser, source: Source, usage: Usage) -> ImageMap {
     ImageMap {
         conversion: conversion(p, &source, usage),
-        source: ImageSource { bitmap: source.bitmap },
+        source: ImageSource { mosaic: Arc::new(source.bitmap.into()) },
         map_type: MapType::Planar,
         once: false,
         interpolation: Interpolation::None,
@@ -260,7 +260,7 @@ fn transparency(p: &mut Parser, all: &mut f32, by_index: &mut Vec<(u32, f32)>) -
 const MOST_SAMPLES: usize = 1 << 28;
 
 /// `function width, height { body }`, the word having been read: sampled over the unit square, first row on top.
-pub fn sampled(p: &mut Parser) -> Result<Arc<Bitmap>> {
+pub fn sampled(p: &mut Parser) -> Result<Bitmap> {
     let span = p.span();
     let [width, height] = sampled_size(p)?;
     if width * height > MOST_SAMPLES {
@@ -281,7 +281,7 @@ pub fn sampled(p: &mut Parser) -> Result<Arc<Bitmap>> {
             );
         }
     };
-    Ok(Arc::new(Bitmap { width, height, pixels, curve: FileCurve::None, premultiplied: false }))
+    Ok(Bitmap { width, height, pixels, curve: FileCurve::None, premultiplied: false })
 }
 
 fn sampled_size(p: &mut Parser) -> Result<[usize; 2]> {

@@ -3,7 +3,7 @@ use std::sync::Arc;
 
 use raggio_scene::{Interior, LegacyInterior, Object, Placed, Texture, TextureKind};
 
-use super::util::{count, set_rgb, set32, take};
+use super::util::{count, float32, set_rgb, set32, take};
 use super::{media, texture};
 use crate::keyword::Kw;
 use crate::parser::{Parser, Result, Tok};
@@ -32,7 +32,11 @@ fn item(p: &mut Parser, i: &mut Interior) -> Result<bool> {
     match key {
         Kw::Ior => set32(p, &mut i.ior),
         Kw::Dispersion => set32(p, &mut i.dispersion),
-        Kw::Caustics => set32(p, &mut i.caustics),
+        Kw::Caustics => {
+            p.next()?;
+            i.caustics = CAUSTICS * f64::from(float32(p)?);
+            Ok(true)
+        }
         Kw::Fade_distance => set32(p, &mut i.fade_distance),
         Kw::Fade_power => set32(p, &mut i.fade_power),
         Kw::Fade_color | Kw::Fade_colour => set_rgb(p, &mut i.fade_color),
@@ -58,7 +62,7 @@ fn item(p: &mut Parser, i: &mut Interior) -> Result<bool> {
 }
 
 /// What the interior's `caustics` are multiplied by before they are a power; those of a finish are one.
-const CAUSTICS: f32 = 45.0;
+const CAUSTICS: f64 = 45.0;
 
 /// Carries the interior words of an old finish to the interior, if the outermost layer has some.
 pub fn adopt_legacy(texture: &Texture, interior: &mut Option<Placed<Interior>>) {
@@ -72,7 +76,7 @@ pub fn adopt_legacy(texture: &Texture, interior: &mut Option<Placed<Interior>>) 
     let placed = interior.get_or_insert_with(|| Placed::new(made()));
     let new = Arc::make_mut(&mut placed.item);
     new.ior = ior.unwrap_or(new.ior);
-    new.caustics = caustics.map_or(new.caustics, |power| power / CAUSTICS);
+    new.caustics = caustics.map_or(new.caustics, f64::from);
     new.old_refraction = refraction.unwrap_or(new.old_refraction);
 }
 

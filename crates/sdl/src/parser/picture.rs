@@ -1,6 +1,4 @@
 //! Pictures that a scene names.
-use std::sync::Arc;
-
 use raggio_image::Format;
 use raggio_scene::Bitmap;
 
@@ -32,7 +30,7 @@ fn of_word(word: Kw) -> Option<(Format, &'static [&'static str])> {
 
 impl Parser<'_> {
     /// Finds and decodes an image by the rules of section 1.6; the type word has been read already (`None`: by name).
-    pub fn image(&mut self, name: &str, format: Option<Kw>) -> Result<Arc<Bitmap>> {
+    pub fn image(&mut self, name: &str, format: Option<Kw>) -> Result<Bitmap> {
         let span = self.here();
         let (format, endings) = match format.and_then(of_word) {
             Some((format, endings)) => (Some(format), endings),
@@ -40,7 +38,7 @@ impl Parser<'_> {
         };
         let (found, bytes) = self.find(name, endings, span)?;
         match raggio_image::decode(&bytes, format.or_else(|| Format::from_name(&found))) {
-            Ok(bitmap) => Ok(Arc::new(bitmap)),
+            Ok(bitmap) => Ok(bitmap),
             Err(fault) => self.error("bad-image", format!("\"{found}\": {fault}"), span),
         }
     }

@@ -131,8 +131,8 @@ impl Parser<'_> {
         if let Value::Pigment(pigment) = self.take_value()?
             && let PigmentKind::Image { image, .. } = &pigment.kind
         {
-            let bitmap = &image.source.bitmap;
-            return Ok(Num::vector(&[bitmap.width as f64, bitmap.height as f64, 0.0]));
+            let mosaic = &image.source.mosaic;
+            return Ok(Num::vector(&[mosaic.width() as f64, mosaic.height() as f64, 0.0]));
         }
         self.error("no-image", "only a pigment that is an image_map has an extent", span)
     }

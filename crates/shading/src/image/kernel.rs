@@ -1,46 +1,85 @@
 //! Interpolation: which pixels count at a place, and how much (textures spec, section 7.2).
+use raggio_image::Mosaic;
 use raggio_scene::{ImageMap, Interpolation};
 
 use super::Place;
 
-/// Calls `tap` with the index and the weight of every pixel that counts. Weights add up to 1.
-pub(super) fn for_each_tap(map: &ImageMap, place: Place, mut tap: impl FnMut(usize, f64)) {
-    let bitmap = &map.source.bitmap;
-    let fit = |i: i64, size: usize| {
-        let size = size as i64;
-        (if map.once { i.clamp(0, size - 1) } else { i.rem_euclid(size) }) as usize
-    };
-    let index = |i: i64, j: i64| fit(j, bitmap.height) * bitmap.width + fit(i, bitmap.width);
+/// What can be made of several samples of a picture.
+pub(super) trait Mix {
+    type Mixture;
+
+    /// The sum of the samples `at` some places, each times its weight.
+    fn mix<const N: usize>(&self, at: [usize; N], weights: [f64; N]) -> Self::Mixture;
+}
+
+/// Mixes the pixels that count at a place. Their weights add up to 1.
+pub(super) fn mix_at<M: Mix>(map: &ImageMap, place: Place, samples: &M) -> M::Mixture {
+    let grid = Grid { mosaic: &map.source.mosaic, once: map.once };
     if map.interpolation == Interpolation::None {
-        return tap(index(place.x.trunc() as i64, place.y.trunc() as i64), 1.0);
+        return samples.mix(grid.at::<1, 1>(place.x.trunc() as i64, place.y.trunc() as i64), [1.0]);
     }
     let (x, y) = (place.x + 0.5, place.y + 0.5);
     let (i, j) = (x.trunc() as i64, y.trunc() as i64);
     let (p, q) = (x - x.trunc(), y - y.trunc());
     match map.interpolation {
-        Interpolation::None => {}
-        Interpolation::Bilinear => {
-            separable(i - 1, j - 1, [1.0 - p, p], [1.0 - q, q], |i, j, w| tap(index(i, j), w));
-        }
-        Interpolation::Bicubic => {
-            separable(i - 2, j - 2, cubic(p), cubic(q), |i, j, w| tap(index(i, j), w));
-        }
-        Interpolation::NormalizedDistance => {
-            let weights = by_distance(p, q);
-            for (k, weight) in weights.into_iter().enumerate() {
-                tap(index(i - 1 + (k % 2) as i64, j - 1 + (k / 2) as i64), weight);
-            }
+        Interpolation::Bicubic => samples.mix(grid.at::<4, 16>(i - 2, j - 2), products(cubic(p), cubic(q))),
+        Interpolation::NormalizedDistance => samples.mix(grid.at::<2, 4>(i - 1, j - 1), by_distance(p, q)),
+        Interpolation::Bilinear | Interpolation::None => {
+            samples.mix(grid.at::<2, 4>(i - 1, j - 1), products([1.0 - p, p], [1.0 - q, q]))
         }
     }
 }
 
-/// Products of weights along x and y, from pixel (i, j) on.
-fn separable<const N: usize>(i: i64, j: i64, x: [f64; N], y: [f64; N], mut tap: impl FnMut(i64, i64, f64)) {
-    for (dj, wy) in y.into_iter().enumerate() {
-        for (di, wx) in x.into_iter().enumerate() {
-            tap(i + di as i64, j + dj as i64, wx * wy);
+/// The rows and columns of a picture, which ends at its edges or repeats itself.
+struct Grid<'a> {
+    mosaic: &'a Mosaic,
+    once: bool,
+}
+
+impl Grid<'_> {
+    /// Where the `N` by `N` pixels stand whose first one is in column `i` and row `j`; `M` is `N` squared.
+    #[inline]
+    fn at<const N: usize, const M: usize>(&self, i: i64, j: i64) -> [usize; M] {
+        let layout = self.mosaic.layout();
+        let (mut columns, mut rows) = ([0; N], [0; N]);
+        for k in 0..N {
+            columns[k] = self.fit(i + k as i64, self.mosaic.width());
+            rows[k] = self.fit(j + k as i64, self.mosaic.height());
         }
+        let mut at = [0; M];
+        if layout.is_tiled() {
+            for (k, at) in at.iter_mut().enumerate() {
+                *at = layout.in_tiles(columns[k % N], rows[k / N]);
+            }
+        } else {
+            for (k, at) in at.iter_mut().enumerate() {
+                *at = layout.in_rows(columns[k % N], rows[k / N]);
+            }
+        }
+        at
     }
+
+    /// The column or row among those that there are.
+    #[inline]
+    fn fit(&self, i: i64, size: usize) -> usize {
+        if (i as usize) < size { i as usize } else { self.beyond(i, size) }
+    }
+
+    #[cold]
+    fn beyond(&self, i: i64, size: usize) -> usize {
+        let size = size as i64;
+        (if self.once { i.clamp(0, size - 1) } else { i.rem_euclid(size) }) as usize
+    }
+}
+
+/// Products of the weights along x and y, row by row.
+#[inline]
+fn products<const N: usize, const M: usize>(x: [f64; N], y: [f64; N]) -> [f64; M] {
+    let mut out = [0.0; M];
+    for (k, out) in out.iter_mut().enumerate() {
+        *out = x[k % N] * y[k / N];
+    }
+    out
 }
 
 /// Catmull-Rom weights of four pixels in a row.

@@ -2,21 +2,23 @@
 mod kernel;
 mod place;
 mod smooth;
+#[cfg(test)]
+mod tests;
 mod texels;
 
 use std::sync::Arc;
 
-use raggio_image::{Color, Rgb, grey};
+use raggio_image::{Color, grey};
 use raggio_math::Vec3;
 use raggio_scene as scene;
 
-use kernel::for_each_tap;
+use kernel::mix_at;
 use smooth::Pyramid;
-use texels::Texels;
+use texels::{Indices, Texels};
 
 pub use smooth::FOOTPRINT_STEP;
 
-/// A picture with the way from a point to its colour. The samples are shared with the scene.
+/// A picture with the way from a point to its colour. The samples are the scene's own.
 #[derive(Debug)]
 pub(crate) struct Image {
     map: Arc<scene::ImageMap>,
@@ -35,8 +37,7 @@ pub(crate) struct Place {
 impl Image {
     pub fn compile(map: &Arc<scene::ImageMap>) -> Self {
         let texels = Texels::new(map);
-        let bitmap = &map.source.bitmap;
-        let pyramid = map.smooth.then(|| Box::new(Pyramid::new(&texels, bitmap.width, bitmap.height)));
+        let pyramid = map.smooth.then(|| Box::new(Pyramid::new(&texels, &map.source.mosaic)));
         Image { map: map.clone(), texels, pyramid }
     }
 
@@ -79,7 +80,8 @@ impl Image {
     /// The heights that `bump_map` compares: here, below to the left, and below to the right, all times `size`.
     pub fn heights(&self, p: Vec3, size: f64) -> Option<[f64; 3]> {
         let here = self.place(p)?;
-        let (width, height) = (self.map.source.bitmap.width as f64, self.map.source.bitmap.height as f64);
+        let mosaic = &self.map.source.mosaic;
+        let (width, height) = (mosaic.width() as f64, mosaic.height() as f64);
         let beside =
             |dx: f64| Place { x: (here.x + dx).rem_euclid(width), y: (here.y + 1.0).rem_euclid(height) };
         Some([here, beside(-1.0), beside(1.0)].map(|place| size * self.height_at(place)))
@@ -93,22 +95,11 @@ impl Image {
     }
 
     fn index_at(&self, indices: &[u8], place: Place) -> f64 {
-        let mut sum = 0.0;
-        for_each_tap(&self.map, place, |i, weight| sum += weight * f64::from(indices[i]));
-        sum.trunc()
+        mix_at(&self.map, place, &Indices(indices)).trunc()
     }
 
     fn color_at(&self, place: Place) -> Color {
-        let mut sum = [0.0; 5];
-        for_each_tap(&self.map, place, |i, weight| {
-            let texel = self.texels.get(i);
-            let channels = [texel.rgb.x, texel.rgb.y, texel.rgb.z, texel.filter, texel.transmit];
-            for (sum, channel) in sum.iter_mut().zip(channels) {
-                *sum += weight * f64::from(channel);
-            }
-        });
-        let [r, g, b, filter, transmit] = sum.map(|c| c as f32);
-        self.finish(Color { rgb: Rgb::new(r, g, b), filter, transmit })
+        self.finish(mix_at(&self.map, place, &self.texels))
     }
 
     /// What is done to a colour after interpolation.

@@ -11,8 +11,8 @@ impl Image {
     /// `None` beside a picture used `once`, and where a mapping has no answer.
     pub(super) fn place(&self, p: Vec3) -> Option<Place> {
         let map = &*self.map;
-        let bitmap = &map.source.bitmap;
-        let pixels = Vec2::new(bitmap.width as f64, bitmap.height as f64);
+        let mosaic = &map.source.mosaic;
+        let pixels = Vec2::new(mosaic.width() as f64, mosaic.height() as f64);
         let size = pixels * map.repeat;
         let inside = |c: f64| !map.once || (0.0..=1.0).contains(&c);
         let raw = match map.map_type {

@@ -1,7 +1,7 @@
 //! `smooth` pictures: where many of the picture's pixels lie within one of the camera's, what is seen is their mean. Halved
 //! copies of the picture (Williams 1983) are looked up along the longer side of what the camera's pixel covers (Feline,
 //! McCormack et al. 1999), so that a floor seen at a flat angle stays sharp across the view.
-use raggio_image::{Color, Rgb};
+use raggio_image::{Color, Layout, Mosaic, Rgb};
 use raggio_math::{Vec2, Vec3};
 
 use super::{Image, Place, Texels};
@@ -23,6 +23,7 @@ pub(super) struct Pyramid {
 struct Level {
     width: usize,
     height: usize,
+    layout: Layout,
     colors: Box<[Color]>,
 }
 
@@ -50,37 +51,39 @@ impl Sum {
 
 impl Pyramid {
     /// All copies of a picture, down to one pixel.
-    pub fn new(texels: &Texels, width: usize, height: usize) -> Self {
+    pub fn new(texels: &Texels, mosaic: &Mosaic) -> Self {
         let mut levels: Vec<Level> = Vec::new();
-        let (mut w, mut h) = (width, height);
+        let (mut w, mut h) = (mosaic.width(), mosaic.height());
         while w > 1 || h > 1 {
             let size = (w.div_ceil(2), h.div_ceil(2));
-            let colors = match levels.last() {
-                None => shrunk((w, h), size, |i| texels.get(i)),
-                Some(level) => shrunk((w, h), size, |i| level.colors[i]),
+            let level = match levels.last() {
+                None => shrunk((w, h), size, mosaic.layout(), |i| texels.get(i)),
+                Some(level) => shrunk((w, h), size, level.layout, |i| level.colors[i]),
             };
             (w, h) = size;
-            levels.push(Level { width: w, height: h, colors });
+            levels.push(level);
         }
         Pyramid { levels }
     }
 }
 
-/// A smaller copy: each pixel is the mean of the area that it covers.
-fn shrunk(from: (usize, usize), to: (usize, usize), get: impl Fn(usize) -> Color) -> Box<[Color]> {
-    let mut out = Vec::with_capacity(to.0 * to.1);
+/// A smaller copy of what lies by a layout: each pixel is the mean of the area that it covers. It is in tiles, too, if the
+/// original is.
+fn shrunk(from: (usize, usize), to: (usize, usize), laid: Layout, get: impl Fn(usize) -> Color) -> Level {
+    let layout = if laid.is_tiled() { Layout::tiles(to.0) } else { Layout::rows(to.0) };
+    let mut colors = vec![Color::BLACK; layout.samples(to.1)].into_boxed_slice();
     for y in 0..to.1 {
         for x in 0..to.0 {
             let mut sum = Sum::default();
             for (j, wy) in covered(y, from.1, to.1) {
                 for (i, wx) in covered(x, from.0, to.0) {
-                    sum.add(get(j * from.0 + i), wx * wy);
+                    sum.add(get(laid.index(i, j)), wx * wy);
                 }
             }
-            out.push(sum.color());
+            colors[layout.index(x, y)] = sum.color();
         }
     }
-    out.into()
+    Level { width: to.0, height: to.1, layout, colors }
 }
 
 /// The pixels of a row of `from` that pixel `i` of `to` covers, with their parts of it.
@@ -121,9 +124,9 @@ impl Image {
     /// The step in pixels that a footprint takes whose axis ends beyond `p`.
     fn step_to(&self, from: Place, p: Vec3) -> Vec2 {
         let Some(to) = self.place(p) else { return Vec2::ZERO };
-        let bitmap = &self.map.source.bitmap;
+        let mosaic = &self.map.source.mosaic;
         let nearest = |d: f64, size: usize| d - size as f64 * (d / size as f64).round();
-        let step = Vec2::new(nearest(to.x - from.x, bitmap.width), nearest(to.y - from.y, bitmap.height));
+        let step = Vec2::new(nearest(to.x - from.x, mosaic.width()), nearest(to.y - from.y, mosaic.height()));
         step / FOOTPRINT_STEP
     }
 
@@ -139,11 +142,13 @@ impl Image {
     }
 
     fn add_level(&self, pyramid: &Pyramid, at: Vec2, level: usize, weight: f64, sum: &mut Sum) {
-        let bitmap = &self.map.source.bitmap;
+        let mosaic = &self.map.source.mosaic;
+        let whole = (mosaic.width(), mosaic.height());
         let copy = level.checked_sub(1).and_then(|i| pyramid.levels.get(i));
-        let (width, height) = copy.map_or((bitmap.width, bitmap.height), |l| (l.width, l.height));
+        let (width, height) = copy.map_or(whole, |l| (l.width, l.height));
+        let layout = copy.map_or(mosaic.layout(), |l| l.layout);
         let scale = Vec2::new(width as f64, height as f64);
-        let at = at / Vec2::new(bitmap.width as f64, bitmap.height as f64) * scale - Vec2::splat(0.5);
+        let at = at / Vec2::new(whole.0 as f64, whole.1 as f64) * scale - Vec2::splat(0.5);
         let (corner, f) = (at.floor(), at - at.floor());
         let fit = |i: f64, size: usize| {
             let most = size as f64;
@@ -151,7 +156,7 @@ impl Image {
         };
         for (dy, wy) in [(0.0, 1.0 - f.y), (1.0, f.y)] {
             for (dx, wx) in [(0.0, 1.0 - f.x), (1.0, f.x)] {
-                let i = fit(corner.y + dy, height) * width + fit(corner.x + dx, width);
+                let i = layout.index(fit(corner.x + dx, width), fit(corner.y + dy, height));
                 let color = copy.map_or_else(|| self.texels.get(i), |l| l.colors[i]);
                 sum.add(color, weight * wx * wy);
             }

@@ -265,7 +265,10 @@ impl Crackle {
 
     /// The value of the usual crackle; `None` where it is known to be above `bound`.
     pub fn value_unless_above(&self, p: Vec3, bound: f64) -> Option<f64> {
-        let measure = || Nearest::<2>::search(p, Metric::Euclid).powers.map(f64::sqrt);
+        let measure = || {
+            let [first, second] = Nearest::<2>::search(p, Metric::Euclid).powers;
+            [first.sqrt(), second.sqrt()]
+        };
         difference_unless_above(p, bound, measure).map(|value| value.clamp(0.0, 1.0))
     }
 }

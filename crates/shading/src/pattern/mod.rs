@@ -172,7 +172,12 @@ impl Pattern {
 
     /// Is there a shortcut to values above a bound?
     pub(crate) fn foresees(&self) -> bool {
-        self.wave.is_plain() && matches!(&self.kind, Kind::Crackle(crackle) if crackle.is_usual())
+        let shortcut = match &self.kind {
+            Kind::Crackle(crackle) => crackle.is_usual(),
+            Kind::Wrinkles { .. } => true,
+            _ => false,
+        };
+        shortcut && self.wave.is_plain()
     }
 
     /// The value at a point that has been warped already; `None` where it is known to be above `bound`, for patterns
@@ -181,6 +186,7 @@ impl Pattern {
     pub(crate) fn eval_unless_above(&self, p: Vec3, bound: f64, context: &Context) -> Option<f64> {
         match &self.kind {
             Kind::Crackle(crackle) => crackle.value_unless_above(p, bound),
+            Kind::Wrinkles { noise } => noisy::wrinkles_unless_above(p, bound, *noise),
             _ => Some(self.eval_warped(p, context)),
         }
     }

@@ -54,6 +54,23 @@ pub(super) fn wrinkles(p: Vec3, generator: u8) -> f64 {
     sum
 }
 
+/// The value of `wrinkles`; `None` where its first four octaves are above `bound` already, as the others only add.
+pub(super) fn wrinkles_unless_above(p: Vec3, bound: f64, generator: u8) -> Option<f64> {
+    let (mut sum, mut weight) = (0.0, 0.5);
+    for n in octaves::<4>(generator, p, 1.0, 2.0) {
+        sum += weight * wrinkle(n, generator);
+        weight *= 0.5;
+    }
+    if sum > bound {
+        return None;
+    }
+    for n in octaves::<6>(generator, p, 16.0, 2.0) {
+        sum += weight * wrinkle(n, generator);
+        weight *= 0.5;
+    }
+    Some(sum)
+}
+
 pub(super) fn wrinkles4(points: &[Vec3; 4], generator: u8) -> [f64; 4] {
     octaves_of_four::<10>(points, generator, (1.0, 0.5), |n| wrinkle(n, generator))
 }

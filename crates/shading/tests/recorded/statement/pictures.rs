@@ -54,7 +54,7 @@ pub fn bitmap(name: &str) -> Bitmap {
 /// An image map with the language's defaults and no conversion.
 pub fn image_map(name: &str) -> ImageMap {
     ImageMap {
-        source: ImageSource { bitmap: Arc::new(bitmap(name)) },
+        source: ImageSource { mosaic: Arc::new(bitmap(name).into()) },
         map_type: MapType::Planar,
         once: false,
         interpolation: Interpolation::None,

@@ -1,0 +1,7 @@
+// A pavement as a normal.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 0, -4> look_at 0 angle 35 }
+light_source { <3, 5, -6>, rgb 1 }
+sphere { <0.45, 0, 0>, 0.75 pigment { rgb <0.7, 0.6, 0.5> } normal { pavement 0.6 number_of_sides 6 number_of_tiles 3 pattern 2 rotate 90*x scale 0.2 } finish { phong 0.5 }  }
+box { <-1.2, -0.8, 0>, <-0.2, 0.8, 1> rotate <0, 25, 0> pigment { rgb <0.7, 0.6, 0.5> } normal { pavement 0.6 number_of_sides 6 number_of_tiles 3 pattern 2 rotate 90*x scale 0.2 } finish { phong 0.5 } }

@@ -1,0 +1,11 @@
+// Every block pattern of textures.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { orthographic location -5*z look_at 0 right 8*x up 6*y }
+light_source { <3, 5, -10>, rgb 1 }
+box { 0, <1, 1, 0.1> texture { brick texture { pigment { rgb <0.9, 0.3, 0.2> } finish { phong 1 } }, texture { pigment { granite scale 0.3 } } brick_size <2, 1, 1> mortar 0.2 scale <0.103, 0.157, 0.2> } scale <2.66667, 3, 1> translate <-4, 0, 0> }
+box { 0, <1, 1, 0.1> texture { hexagon texture { pigment { rgb <0.9, 0.3, 0.2> } finish { phong 1 } }, texture { pigment { granite scale 0.3 } }, texture { pigment { rgb <0.2, 0.5, 0.9> } normal { bumps 0.6 scale 0.05 } } rotate 90*x scale <0.103, 0.157, 0.2> } scale <2.66667, 3, 1> translate <-1.33333, 0, 0> }
+box { 0, <1, 1, 0.1> texture { square texture { pigment { rgb <0.9, 0.3, 0.2> } finish { phong 1 } }, texture { pigment { granite scale 0.3 } }, texture { pigment { rgb <0.2, 0.5, 0.9> } normal { bumps 0.6 scale 0.05 } }, texture { pigment { rgb 0.9 } finish { reflection 0.3 } } rotate 90*x scale <0.103, 0.157, 0.2> } scale <2.66667, 3, 1> translate <1.33333, 0, 0> }
+box { 0, <1, 1, 0.1> texture { triangular texture { pigment { rgb <0.9, 0.3, 0.2> } finish { phong 1 } }, texture { pigment { granite scale 0.3 } }, texture { pigment { rgb <0.2, 0.5, 0.9> } normal { bumps 0.6 scale 0.05 } }, texture { pigment { rgb 0.9 } finish { reflection 0.3 } }, texture { pigment { rgb <0.2, 0.7, 0.3> } }, texture { pigment { rgb <0.9, 0.8, 0.2> } finish { ambient 0.4 } } rotate 90*x scale <0.103, 0.157, 0.2> } scale <2.66667, 3, 1> translate <-4, -3, 0> }
+box { 0, <1, 1, 0.1> texture { cubic texture { pigment { rgb <0.9, 0.3, 0.2> } finish { phong 1 } }, texture { pigment { granite scale 0.3 } }, texture { pigment { rgb <0.2, 0.5, 0.9> } normal { bumps 0.6 scale 0.05 } }, texture { pigment { rgb 0.9 } finish { reflection 0.3 } }, texture { pigment { rgb <0.2, 0.7, 0.3> } }, texture { pigment { rgb <0.9, 0.8, 0.2> } finish { ambient 0.4 } } translate <-0.5, -0.5, 0.03> } scale <2.66667, 3, 1> translate <-1.33333, -3, 0> }
+box { 0, <1, 1, 0.1> texture { object { sphere { <0.5, 0.5, 0>, 0.3 } texture { pigment { rgb <0.9, 0.3, 0.2> } finish { phong 1 } }, texture { pigment { granite scale 0.3 } } } } scale <2.66667, 3, 1> translate <1.33333, -3, 0> }
