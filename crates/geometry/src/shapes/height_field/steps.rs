@@ -155,7 +155,7 @@ mod tests {
             let mut steps = Steps::new(&ray, 0.0, (columns, rows), top);
             loop {
                 let block = steps.block();
-                if block.level > 0 && (block.i + block.j + k as usize) % 3 > 0 {
+                if block.level > 0 && !(block.i + block.j + k as usize).is_multiple_of(3) {
                     steps.refine();
                     continue;
                 }
