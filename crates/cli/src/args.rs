@@ -56,7 +56,10 @@ pub(crate) struct SceneArgs {
     /// Another folder to look for include files, pictures and fonts in.
     #[arg(long, value_name = "FOLDER")]
     pub library: Vec<PathBuf>,
-    /// Leave the include files of an installed POV-Ray alone.
+    /// Prefer the include files of an installed POV-Ray to those that are built in.
+    #[arg(long, conflicts_with = "no_installed_library")]
+    pub installed_library: bool,
+    /// Leave an installed POV-Ray alone even for fonts and pictures that are not built in.
     #[arg(long)]
     pub no_installed_library: bool,
     /// Declare a name before the scene begins.

@@ -5,7 +5,7 @@ use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 use raggio::image::{EncodeOptions, Format};
-use raggio::{Antialias, AntialiasMethod, ParseOptions, RenderOptions, SceneOptions};
+use raggio::{Antialias, AntialiasMethod, InstalledLibrary, ParseOptions, RenderOptions, SceneOptions};
 
 use crate::args::{CheckArgs, RenderArgs, SceneArgs, TraceArgs};
 use crate::progress::Progress;
@@ -142,7 +142,11 @@ pub(crate) fn scene_options(args: &SceneArgs) -> Result<SceneOptions, String> {
     let mut options = SceneOptions {
         path: args.scene.clone(),
         libraries: args.library.clone(),
-        use_installed_library: !args.no_installed_library,
+        installed_library: match (args.installed_library, args.no_installed_library) {
+            (true, _) => InstalledLibrary::First,
+            (_, true) => InstalledLibrary::Never,
+            _ => InstalledLibrary::Last,
+        },
         parse,
         ..SceneOptions::default()
     };

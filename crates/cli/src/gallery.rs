@@ -62,7 +62,7 @@ fn try_gallery(
     let mut pictures = Thumbnails::new(report, cancel);
     for (label, subject) in subjects {
         let mut scene = SceneOptions::text(label, stage.replace(SUBJECT, subject).into_bytes());
-        scene.use_installed_library = false;
+        scene.installed_library = raggio::InstalledLibrary::Never;
         scene.parse = ParseOptions {
             image_width: size.0 as u32,
             image_height: size.1 as u32,

@@ -25,24 +25,43 @@ const INSTALLED: &[&str] = &[
 
 /// The disk as a scene sees it.
 ///
-/// A name is tried in the current folder, beside the scene, in the library folders in their order, in an installed
-/// POV-Ray library, and in the library that is embedded here. Only then, because many scenes were written where the
-/// case of letters does not matter, are the same places tried again ignoring case.
+/// A name is tried in the current folder, beside the scene, in the library folders in their order, in the library that
+/// is embedded here, and before or after that in an installed POV-Ray's. Only then, because many scenes were written
+/// where the case of letters does not matter, are the same places tried again ignoring case.
 pub struct DiskFiles {
+    /// Before the embedded library.
     folders: Vec<PathBuf>,
+    /// After it.
+    behind: Vec<PathBuf>,
     write_base: PathBuf,
+}
+
+/// Which part the include files of an installed POV-Ray play.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum InstalledLibrary {
+    /// They go before those that are built in.
+    First,
+    /// They are asked for what is not built in: fonts, pictures.
+    #[default]
+    Last,
+    /// They are left alone.
+    Never,
 }
 
 impl DiskFiles {
     /// `scene_folder` is where the scene lies; `None` for a scene that is no file.
-    pub fn new(scene_folder: Option<&Path>, libraries: &[PathBuf], use_installed: bool) -> Self {
+    pub fn new(scene_folder: Option<&Path>, libraries: &[PathBuf], installed: InstalledLibrary) -> Self {
         let mut folders = vec![PathBuf::new()];
         folders.extend(scene_folder.map(Path::to_path_buf));
         folders.extend(libraries.iter().cloned());
-        if use_installed {
-            folders.extend(INSTALLED.iter().map(PathBuf::from).filter(|p| p.is_dir()));
+        let mut behind = Vec::new();
+        let found = INSTALLED.iter().map(PathBuf::from).filter(|p| p.is_dir());
+        match installed {
+            InstalledLibrary::First => folders.extend(found),
+            InstalledLibrary::Last => behind.extend(found),
+            InstalledLibrary::Never => {}
         }
-        DiskFiles { folders, write_base: PathBuf::new() }
+        DiskFiles { folders, behind, write_base: PathBuf::new() }
     }
 
     /// Reads a model whose bytes have been found; files that it names lie beside it, or where all files are.
@@ -74,27 +93,29 @@ impl DiskFiles {
     }
 
     fn exact(&self, name: &str) -> Option<(String, Place)> {
-        for folder in &self.folders {
+        let lies_in = |folder: &PathBuf| {
             let path = folder.join(name);
-            if path.is_file() {
-                return Some((path.to_string_lossy().into_owned(), Place::Disk(path)));
-            }
-            if Path::new(name).is_absolute() {
-                break;
-            }
-        }
-        embedded::file(name).map(|text| (format!("<built in>/{name}"), Place::Embedded(text)))
+            path.is_file().then_some(path)
+        };
+        self.first(lies_in, name)
     }
 
     fn ignoring_case(&self, name: &str) -> Option<(String, Place)> {
-        let found = self.folders.iter().find_map(|folder| resolve_ignoring_case(folder, Path::new(name)));
-        match found {
-            Some(path) => Some((path.to_string_lossy().into_owned(), Place::Disk(path))),
-            None => {
-                let lower = name.to_ascii_lowercase();
-                embedded::file(&lower).map(|text| (format!("<built in>/{lower}"), Place::Embedded(text)))
-            }
-        }
+        let lies_in = |folder: &PathBuf| resolve_ignoring_case(folder, Path::new(name));
+        self.first(lies_in, &name.to_ascii_lowercase())
+    }
+
+    /// The first of all places that has a file; `embedded` is its name where it is built in.
+    fn first(
+        &self,
+        lies_in: impl Fn(&PathBuf) -> Option<PathBuf>,
+        embedded: &str,
+    ) -> Option<(String, Place)> {
+        let on_disk = |path: PathBuf| (path.to_string_lossy().into_owned(), Place::Disk(path));
+        let built_in =
+            || embedded::file(embedded).map(|text| (format!("<built in>/{embedded}"), Place::Embedded(text)));
+        let before = self.folders.iter().find_map(&lies_in).map(on_disk);
+        before.or_else(built_in).or_else(|| self.behind.iter().find_map(&lies_in).map(on_disk))
     }
 }
 
@@ -172,7 +193,7 @@ mod tests {
         fs::write(scene.join("a.inc"), "scene").unwrap();
         fs::write(library.join("a.inc"), "library").unwrap();
         fs::write(library.join("Sub/Two.INC"), "case").unwrap();
-        let files = DiskFiles::new(Some(&scene), std::slice::from_ref(&library), false);
+        let files = DiskFiles::new(Some(&scene), std::slice::from_ref(&library), InstalledLibrary::Never);
         let text = |name: &str| files.find(&[name.to_owned()]).map(|(_, t)| String::from_utf8(t).unwrap());
         assert_eq!(text("a.inc").as_deref(), Some("scene"));
         assert_eq!(text("sub\\two.inc.").as_deref(), Some("case"));
@@ -183,8 +204,22 @@ mod tests {
     fn candidates_are_tried_in_order_in_every_place() {
         let dir = tempfile::tempdir().unwrap();
         fs::write(dir.path().join("b"), "bare").unwrap();
-        let files = DiskFiles::new(Some(dir.path()), &[], false);
+        let files = DiskFiles::new(Some(dir.path()), &[], InstalledLibrary::Never);
         let found = files.find(&["b.inc".to_owned(), "b".to_owned()]).unwrap();
         assert_eq!(found.1, b"bare");
+    }
+
+    #[test]
+    fn what_is_built_in_goes_before_what_is_only_asked_last() {
+        let dir = tempfile::tempdir().unwrap();
+        fs::write(dir.path().join("colors.inc"), "mine").unwrap();
+        fs::write(dir.path().join("timrom.ttf"), "font").unwrap();
+        let mut files = DiskFiles::new(None, &[], InstalledLibrary::Never);
+        files.behind.push(dir.path().to_owned());
+        let text = |files: &DiskFiles, name: &str| files.find(&[name.to_owned()]).unwrap().1;
+        assert_ne!(text(&files, "colors.inc"), b"mine");
+        assert_eq!(text(&files, "TimRom.ttf"), b"font");
+        files.folders.append(&mut files.behind);
+        assert_eq!(text(&files, "colors.inc"), b"mine");
     }
 }

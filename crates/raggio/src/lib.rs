@@ -21,6 +21,7 @@ mod model;
 mod output;
 
 pub use embedded::DEFAULT_SCENE;
+pub use files::InstalledLibrary;
 pub use load::{Failure, Loaded, SceneOptions, load, load_with};
 pub use output::{OutputError, write_picture, write_whole};
 pub use raggio_diag as diag;

@@ -10,10 +10,11 @@ use raggio_scene::Scene;
 use raggio_sdl::ParseOptions;
 
 use crate::engine::LiveEngine;
-use crate::files::DiskFiles;
+use crate::files::{DiskFiles, InstalledLibrary};
 use crate::model;
 
 /// Which scene, and what it may ask about its surroundings.
+#[derive(Default)]
 pub struct SceneOptions {
     /// The scene's file, or a model (`.obj`, `.ply`, `.stl`) to show; also names the folder where its files are looked for.
     pub path: Option<PathBuf>,
@@ -21,8 +22,8 @@ pub struct SceneOptions {
     pub text: Option<(String, Vec<u8>)>,
     /// More folders to look for files in (`--library`, `+L`).
     pub libraries: Vec<PathBuf>,
-    /// Look into an installed POV-Ray's include folder as well?
-    pub use_installed_library: bool,
+    /// When are the include files of an installed POV-Ray looked at?
+    pub installed_library: InstalledLibrary,
     /// Clock, frames, picture size, declared names, language version, cancelling.
     pub parse: ParseOptions,
 }
@@ -36,18 +37,6 @@ impl SceneOptions {
     /// A scene given as text.
     pub fn text(name: impl Into<String>, text: impl Into<Vec<u8>>) -> Self {
         SceneOptions { text: Some((name.into(), text.into())), ..Self::default() }
-    }
-}
-
-impl Default for SceneOptions {
-    fn default() -> Self {
-        SceneOptions {
-            path: None,
-            text: None,
-            libraries: Vec::new(),
-            use_installed_library: true,
-            parse: ParseOptions::default(),
-        }
     }
 }
 
@@ -106,7 +95,7 @@ pub fn load_with(
         Err(diagnostic) => return Err(Failure { diagnostics: vec![*diagnostic], sources }),
     };
     let folder = options.path.as_deref().and_then(Path::parent);
-    let files = DiskFiles::new(folder, &options.libraries, options.use_installed_library);
+    let files = DiskFiles::new(folder, &options.libraries, options.installed_library);
     let engine = LiveEngine::default();
     match raggio_sdl::parse(&mut sources, &name, text, &engine, &files, &options.parse, debug, cancel) {
         Ok(parsed) => Ok(Loaded { scene: parsed.scene, warnings: parsed.warnings, sources }),

@@ -12,7 +12,7 @@ use raggio_sdl::Declared;
 use rayon::prelude::*;
 
 use crate::engine::LiveEngine;
-use crate::files::DiskFiles;
+use crate::files::{DiskFiles, InstalledLibrary};
 use crate::load::{Failure, Loaded, SceneOptions, unreadable};
 use crate::mapped;
 
@@ -26,7 +26,7 @@ const FIRST_AWAY: f64 = 4.0;
 /// The scene that shows a model.
 pub(crate) fn load(path: &Path, options: &SceneOptions) -> Result<Loaded, Failure> {
     let failed = |diagnostic| Failure { diagnostics: vec![diagnostic], sources: Sources::default() };
-    let files = DiskFiles::new(path.parent(), &options.libraries, false);
+    let files = DiskFiles::new(path.parent(), &options.libraries, InstalledLibrary::Never);
     let name = path.to_string_lossy();
     let bytes = mapped::open(path).map_err(|error| failed(*unreadable(path, &error)))?;
     let mesh = files

@@ -8,7 +8,7 @@ use std::sync::atomic::AtomicBool;
 
 use raggio::image::{Bitmap, EncodeOptions, Picture};
 use raggio::scene::GammaMode;
-use raggio::{Antialias, AntialiasMethod, RenderOptions, SceneOptions};
+use raggio::{Antialias, AntialiasMethod, InstalledLibrary, RenderOptions, SceneOptions};
 
 /// Mean FLIP up to which a picture matches.
 const LIMIT: f32 = 0.03;
@@ -73,7 +73,7 @@ fn options(text: &str, expected: &Bitmap) -> RenderOptions {
 
 /// Our picture, or why there is none.
 fn render(path: &Path, options: &RenderOptions) -> Result<Bitmap, String> {
-    let mut scene = SceneOptions { use_installed_library: false, ..SceneOptions::file(path) };
+    let mut scene = SceneOptions { installed_library: InstalledLibrary::Never, ..SceneOptions::file(path) };
     scene.parse.image_width = options.width as u32;
     scene.parse.image_height = options.height as u32;
     let loaded = raggio::load(&scene).map_err(|f| f.render())?;

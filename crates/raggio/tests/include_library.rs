@@ -3,7 +3,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
-use raggio::SceneOptions;
+use raggio::{InstalledLibrary, SceneOptions};
 
 /// Largest difference of a printed number, relative to its size: `Spline_Trans` and meshes in single precision.
 const TOLERANCE: f64 = 2e-4;
@@ -14,7 +14,10 @@ fn folder() -> PathBuf {
 
 /// The `@name values` lines that a scene prints.
 fn printed(name: &str) -> Vec<String> {
-    let options = SceneOptions { use_installed_library: false, ..SceneOptions::file(folder().join(name)) };
+    let options = SceneOptions {
+        installed_library: InstalledLibrary::Never,
+        ..SceneOptions::file(folder().join(name))
+    };
     let mut text = String::new();
     let never = Arc::new(AtomicBool::new(false));
     if let Err(failure) = raggio::load_with(&options, &mut |t| text.push_str(t), &never) {
@@ -85,7 +88,7 @@ fn every_file_can_be_included_with_the_colours_alone() {
         let scene =
             format!("#version 3.7;\n#include \"colors.inc\"\n#include \"{name}\"\n#include \"{name}\"\n");
         let mut options = SceneOptions::text("scene.pov", scene.into_bytes());
-        options.use_installed_library = false;
+        options.installed_library = InstalledLibrary::Never;
         (options.parse.image_width, options.parse.image_height) = (80, 60);
         if let Err(failure) = raggio::load(&options) {
             panic!("{name}: {}", failure.render());
@@ -110,7 +113,8 @@ fn every_name_of_the_original_files_is_there() {
             "#version 3.7;\n#include \"colors.inc\"\n{before}#include \"{file}\"\n#debug \"@\\n\"\n{asks}"
         );
         let mut options = SceneOptions::text("scene.pov", scene.into_bytes());
-        options.use_installed_library = false;
+        options.installed_library = InstalledLibrary::Never;
+        (options.parse.image_width, options.parse.image_height) = (80, 60);
         let mut text = String::new();
         let never = Arc::new(AtomicBool::new(false));
         if let Err(failure) = raggio::load_with(&options, &mut |t| text.push_str(t), &never) {

@@ -179,7 +179,7 @@ impl Run<'_> {
             text: Some((if name == "-" { name } else { path.display().to_string() }, text)),
             path: Some(path),
             libraries: s.libraries.iter().map(PathBuf::from).collect(),
-            use_installed_library: true,
+            installed_library: raggio::InstalledLibrary::First,
             parse,
         })
     }
