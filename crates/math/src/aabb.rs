@@ -95,22 +95,25 @@ impl Aabb {
     /// The parameters at which the ray enters and leaves, or `None` where it misses. Entry may be negative.
     #[inline]
     pub fn hit(&self, ray: &Ray) -> Option<(f64, f64)> {
+        self.hit_by(ray, ray.dir.recip())
+    }
+
+    /// The same for a ray whose direction's inverse is known.
+    #[inline(always)]
+    pub fn hit_by(&self, ray: &Ray, inverse: Vec3) -> Option<(f64, f64)> {
         let (mut near, mut far) = (f64::NEG_INFINITY, f64::INFINITY);
-        for k in 0..3 {
-            if ray.dir[k] == 0.0 {
-                if ray.origin[k] < self.min[k] || ray.origin[k] > self.max[k] {
-                    return None;
-                }
-                continue;
-            }
-            let inv = 1.0 / ray.dir[k];
-            let (a, b) = ((self.min[k] - ray.origin[k]) * inv, (self.max[k] - ray.origin[k]) * inv);
+        // Along a slab's planes the distances are infinite, or in a plane not a number, which no comparison is true of.
+        let mut slab = |min: f64, max: f64, origin: f64, inverse: f64| {
+            let (a, b) = ((min - origin) * inverse, (max - origin) * inverse);
             // One instruction each, which `f64::min` and `f64::max` are not.
-            let (first, last) = if inv > 0.0 { (a, b) } else { (b, a) };
+            let (first, last) = if inverse > 0.0 { (a, b) } else { (b, a) };
             near = if first > near { first } else { near };
             far = if last < far { last } else { far };
-        }
-        (near <= far).then_some((near, far))
+        };
+        slab(self.min.x, self.max.x, ray.origin.x, inverse.x);
+        slab(self.min.y, self.max.y, ray.origin.y, inverse.y);
+        slab(self.min.z, self.max.z, ray.origin.z, inverse.z);
+        (near <= far && near < f64::INFINITY && far > f64::NEG_INFINITY).then_some((near, far))
     }
 }
 

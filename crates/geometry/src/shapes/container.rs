@@ -21,11 +21,11 @@ pub(crate) fn contains(container: &Container, p: Vec3) -> bool {
     }
 }
 
-/// Where the ray enters and leaves; the entry may be negative.
-#[inline]
-pub(crate) fn span(container: &Container, ray: &Ray) -> Option<(f64, f64)> {
+/// Where the ray enters and leaves, whose direction's inverse is known; the entry may be negative.
+#[inline(always)]
+pub(crate) fn span(container: &Container, ray: &Ray, inverse: Vec3) -> Option<(f64, f64)> {
     match *container {
-        Container::Box { min, max } => Aabb { min, max }.hit(ray),
+        Container::Box { min, max } => Aabb { min, max }.hit_by(ray, inverse),
         Container::Sphere { center, radius } => {
             let o = ray.origin - center;
             let c = [o.length_squared() - radius * radius, 2.0 * o.dot(ray.dir), ray.dir.length_squared()];

@@ -2,6 +2,7 @@
 //!
 //! A stretch of the ray is free of the surface when the function is too far from the threshold at its ends to get there
 //! with the steepest slope allowed; other stretches are halved, down to the accuracy.
+mod bent;
 mod field;
 mod grid;
 mod search;
@@ -97,22 +98,39 @@ impl Isosurface {
         greatest
     }
 
+    #[inline(always)]
     fn search(&self, ray: &Ray, to: &mut impl Collect) {
         self.trace(ray.transformed(&self.object_from_world), to);
     }
 
     /// Follows a ray of the object's coordinates; answers with the gradient as the ray leaves it.
+    #[inline(always)]
     fn trace(&self, ray: Ray, to: &mut impl Collect) -> f64 {
-        let span = container::span(&self.container, &ray)
-            .filter(|s| s.1 > to.range().0 && s.0 < to.range().1 && s.1.is_finite());
-        let Some((enter, leave)) = span else { return self.max_gradient };
+        let inverse = ray.dir.recip();
+        match container::span(&self.container, &ray, inverse) {
+            Some(span) if span.1 > to.range().0 && span.0 < to.range().1 && span.1.is_finite() => {
+                self.trace_within(&ray, inverse, span, to)
+            }
+            _ => self.max_gradient,
+        }
+    }
+
+    /// The same where the ray is in the container. Not inlined: many rays miss it, and need no room for a search.
+    #[inline(never)]
+    fn trace_within(
+        &self,
+        ray: &Ray,
+        inverse: Vec3,
+        (enter, leave): (f64, f64),
+        to: &mut impl Collect,
+    ) -> f64 {
         let mut search = Search::new(self, ray);
         let way = (enter.max(0.0), leave.min(to.range().1 + self.accuracy));
-        let mut walk = self.field.as_deref().map(|field| Walk::new(field, &ray, way));
+        let mut walk = self.field.as_deref().map(|field| Walk::new(field, ray, inverse, way));
         let mut left = self.max_trace;
         let (start, value) = search.start(enter, walk.as_mut());
         if !self.open && enter > self.accuracy && value.hi < 0.0 {
-            self.push_wall(&ray, enter, to);
+            self.push_wall(ray, enter, to);
             left = left.saturating_sub(1);
         }
         search.sign = if value.hi < 0.0 { -1.0 } else { 1.0 };
@@ -140,7 +158,7 @@ impl Isosurface {
             let known = (ended && search.proved && walk.is_some()).then_some(search.sign);
             search.sign = 1.0;
             if known.unwrap_or_else(|| search.value(leave)) < 0.0 {
-                self.push_wall(&ray, leave, to);
+                self.push_wall(ray, leave, to);
             }
         }
         search.gradient

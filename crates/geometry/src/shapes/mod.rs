@@ -199,7 +199,8 @@ pub(crate) fn moved(shape: &Shape, world_from_object: &Affine) -> Option<ShapeKi
         Shape::Blob(blob) if !is_rigid(world_from_object) => {
             Some(ShapeKind::Blob(blob::Blob::new(blob, world_from_object)))
         }
-        Shape::Isosurface(iso) if !is_rigid(world_from_object) => Some(isosurface(iso, world_from_object)),
+        // It turns its rays itself.
+        Shape::Isosurface(iso) => Some(isosurface(iso, world_from_object)),
         Shape::Cylinder { base, cap, radius, open } => {
             moved_cone(&Cone::cylinder(*base, *cap, *radius, *open), world_from_object)
         }

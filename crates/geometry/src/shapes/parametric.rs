@@ -87,7 +87,7 @@ impl Surface for Parametric {
     }
 
     fn closest(&self, ray: &Ray, range: (f64, f64)) -> Option<LocalHit> {
-        let (enter, leave) = container::span(&self.container, ray)?;
+        let (enter, leave) = container::span(&self.container, ray, ray.dir.recip())?;
         // What is nearer than the range hides what is farther, as only one hit is known of.
         let least = (enter.max(0.0) + 4.0 * self.accuracy).max(LEAST);
         let mut hits = Hits::new();

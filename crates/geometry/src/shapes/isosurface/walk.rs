@@ -1,5 +1,5 @@
 //! A ray's way through the boxes of a field.
-use raggio_math::Ray;
+use raggio_math::{Ray, Vec3};
 
 use super::field::{Cell, Field, MOST_CUTS, NONE};
 
@@ -17,8 +17,10 @@ pub(super) struct Walk<'a> {
     /// Where the ray goes on, and where its way ends.
     at: f64,
     end: f64,
-    /// Boxes to go on with, the next one last, and where the ray leaves them.
-    waiting: [(&'a Cell, f64); ROOM],
+    /// Boxes to go on with, the next one last.
+    waiting: [&'a Cell; ROOM],
+    /// Where the ray leaves them.
+    leaves: [f64; ROOM],
     /// How many boxes wait.
     count: usize,
     /// The last box that was not free, and where the ray comes into it and leaves it.
@@ -27,12 +29,11 @@ pub(super) struct Walk<'a> {
 }
 
 impl<'a> Walk<'a> {
-    /// The way of a ray between two parameters.
+    /// The way of a ray, whose direction's inverse is known, between two parameters.
     #[inline]
-    pub(super) fn new(field: &'a Field, ray: &Ray, (from, end): (f64, f64)) -> Self {
+    pub(super) fn new(field: &'a Field, ray: &Ray, inverse: Vec3, (from, end): (f64, f64)) -> Self {
         let near = |along: f64| usize::from(along.is_sign_negative());
-        let root = (field.root(), end);
-        let inverse = ray.dir.recip();
+        let root = field.root();
         Walk {
             field,
             origin: [ray.origin.x, ray.origin.y, ray.origin.z, 0.0],
@@ -41,8 +42,9 @@ impl<'a> Walk<'a> {
             at: from,
             end,
             waiting: [root; ROOM],
+            leaves: [end; ROOM],
             count: 1,
-            last: root,
+            last: (root, end),
             from,
         }
     }
@@ -69,12 +71,12 @@ impl<'a> Walk<'a> {
     #[inline(always)]
     fn pop(&mut self) -> Option<(&'a Cell, f64)> {
         self.count = self.count.checked_sub(1)?;
-        let (mut cell, mut to) = *self.waiting.get(self.count)?;
+        let (mut cell, mut to) = (*self.waiting.get(self.count)?, *self.leaves.get(self.count)?);
         let from = self.at;
         while cell.axis != NONE {
             let axis = usize::from(cell.axis & 3);
             let near = self.near[axis] & 1;
-            let halves = self.field.halves(cell);
+            let Some(halves) = self.field.halves(cell) else { break };
             // Along the plane this is infinite, with the sign that leads to the side where the ray is.
             let crossing = (cell.plane - self.origin[axis]) * self.inverse[axis];
             if crossing <= from {
@@ -83,9 +85,7 @@ impl<'a> Walk<'a> {
             }
             cell = &halves[near];
             // Whether the other half is reached is hard to foresee, so it is written down in any case.
-            if let Some(place) = self.waiting.get_mut(self.count) {
-                *place = (&halves[near ^ 1], to);
-            }
+            self.write(&halves[near ^ 1], to);
             let comes_there = crossing < to;
             self.count += usize::from(comes_there);
             to = if comes_there { crossing } else { to };
@@ -101,11 +101,25 @@ impl<'a> Walk<'a> {
         here
     }
 
+    /// Takes down that the surface was looked for in a box.
     #[inline]
-    fn push(&mut self, cell: (&'a Cell, f64)) {
-        if let Some(place) = self.waiting.get_mut(self.count) {
-            *place = cell;
-            self.count += 1;
+    pub(super) fn looked_into(&self, cell: &Cell) {
+        self.field.looked_into(cell);
+    }
+
+    #[inline]
+    fn push(&mut self, (cell, to): (&'a Cell, f64)) {
+        self.write(cell, to);
+        self.count += 1;
+    }
+
+    /// Writes down what is to wait next.
+    #[inline(always)]
+    fn write(&mut self, cell: &'a Cell, to: f64) {
+        if let (Some(waiting), Some(leaves)) =
+            (self.waiting.get_mut(self.count), self.leaves.get_mut(self.count))
+        {
+            (*waiting, *leaves) = (cell, to);
         }
     }
 
@@ -113,7 +127,7 @@ impl<'a> Walk<'a> {
     #[inline]
     pub(super) fn go_to(&mut self, t: f64) {
         if t >= self.at {
-            while self.count > 0 && self.waiting.get(self.count - 1).is_some_and(|&(_, to)| to <= t) {
+            while self.count > 0 && self.leaves.get(self.count - 1).is_some_and(|&to| to <= t) {
                 self.count -= 1;
             }
         } else if t >= self.from && self.last.1 == self.at {
