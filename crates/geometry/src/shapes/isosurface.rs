@@ -2,7 +2,6 @@
 //!
 //! A stretch of the ray is free of the surface when the function is too far from the threshold at its ends to get there
 //! with the steepest slope allowed; other stretches are halved, down to the accuracy.
-mod bent;
 mod field;
 mod grid;
 mod search;

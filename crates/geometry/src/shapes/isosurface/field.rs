@@ -2,40 +2,28 @@
 //!
 //! A box knows where the function's values lie in it, and between which two linear functions the function stays. Boxes
 //! without the surface are left out, those where the slopes hardly differ are not cut further. What a box knows does not
-//! depend on who asks, and where it depends on earlier rays how small boxes are every hit is proved, whatever their size;
-//! so pictures do not depend on the order of rays.
+//! depend on who asks, so pictures do not depend on the order of rays.
 use std::collections::HashMap;
-use std::sync::atomic::{AtomicU32, AtomicU64, Ordering};
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, LazyLock, Mutex, OnceLock, PoisonError, Weak};
 
 use raggio_function::{Bounds, Function, Range};
 use raggio_math::{Aabb, Vec3};
 
 use super::super::container;
-use super::search::TELLING;
 
 /// Boxes are cut in two this many times at most.
-pub(super) const MOST_CUTS: u8 = 20;
-/// And so many where the scene's maximal gradient may be too low.
-const UNSURE_CUTS: u8 = 16;
+pub(super) const MOST_CUTS: u8 = 16;
 /// Where slopes seem steeper than so many times the scene's maximal gradient their bounds are too wide to tell anything
 /// soon, and boxes are cut this many times at most.
 const TOO_STEEP: f64 = 1.5;
 const BLIND_CUTS: u8 = 10;
 /// A box is not cut where the slopes differ by less than this share of the steepest.
 const ALIKE: f64 = 1.0;
-/// A box whose slopes are known is cut at once only so often, and later where rays have looked for the surface so many
-/// times; but not more often than this.
-const CUTS_AT_ONCE: u8 = 12;
-const MANY_LOOKS: u32 = 8;
-/// How much of what the scene allows slopes may take up where they are known to be right, but for rounding.
-const SURELY: f64 = 0.999;
 /// A slope beyond the scene's by this factor is not due to rounding.
 const CLEARLY: f64 = 1.001;
 /// The axis of a box that is not cut.
 pub(super) const NONE: u8 = 3;
-/// Added to the axis of a box that is cut only when many rays have looked for the surface there.
-const LATER: u8 = 4;
 
 /// Where in the container the function is tried out, as shares of its sides.
 const PROBES: [[f64; 3]; 3] = [[0.3, 0.4, 0.6], [0.52, 0.81, 0.37], [0.73, 0.13, 0.86]];
@@ -63,8 +51,6 @@ pub(super) struct Cell {
     pub axis: u8,
     /// How often the whole was cut to get here.
     depth: u8,
-    /// How often rays have looked for the surface here, before a box is cut that may be.
-    looks: AtomicU32,
     halves: OnceLock<Box<[Cell; 2]>>,
     /// All values in the box.
     value: Range,
@@ -77,8 +63,6 @@ pub(super) struct Cell {
 struct Known {
     model: Model,
     bounds: Aabb,
-    /// Are all slopes surely within what the scene allows? Then what is found does not depend on smaller boxes.
-    is_sure: bool,
 }
 
 /// Between which linear functions a function stays in a box, less the threshold.
@@ -151,20 +135,13 @@ impl Cell {
         Range { lo: middle - off, hi: middle + off }
     }
 
-    /// Is the box to be cut, where the scene says that slopes are up to `max_gradient`? At once, or later?
-    fn is_to_be_cut(&self, max_gradient: f64) -> Option<bool> {
-        let Known { model: Model { slope, spread, .. }, is_sure, .. } = *self.known;
+    /// May smaller boxes tell much more of a function that the scene says to have slopes up to `max_gradient`?
+    fn is_worth_cutting(&self, max_gradient: f64) -> bool {
+        let Model { slope, spread, .. } = self.known.model;
         let steepest = (slope.abs() + spread).max_element();
         let well_known = self.known.model.is_known() && 2.0 * spread.element_sum() <= ALIKE * steepest;
-        let most = if is_sure {
-            MOST_CUTS
-        } else if steepest <= TOO_STEEP * max_gradient {
-            UNSURE_CUTS
-        } else {
-            BLIND_CUTS
-        };
-        let may_be = self.value.contains(0.0) && !well_known && self.depth < most;
-        may_be.then_some(!is_sure || self.depth < CUTS_AT_ONCE)
+        let most = if steepest <= TOO_STEEP * max_gradient { MOST_CUTS } else { BLIND_CUTS };
+        self.value.contains(0.0) && !well_known && self.depth < most
     }
 }
 
@@ -236,26 +213,12 @@ impl Field {
         self.root.get_or_init(|| self.cell(self.bounds, None))
     }
 
-    /// The halves of a box that has an axis, unless it is cut later.
+    /// The halves of a box that is to be cut.
     #[inline(always)]
-    pub(super) fn halves<'a>(&self, cell: &'a Cell) -> Option<&'a [Cell; 2]> {
+    pub(super) fn halves<'a>(&self, cell: &'a Cell) -> &'a [Cell; 2] {
         match cell.halves.get() {
-            Some(halves) => Some(halves),
-            None if cell.axis & LATER == 0 => Some(self.cut(cell)),
-            None => None,
-        }
-    }
-
-    /// Takes down that a ray has looked for the surface in a box, which is cut if many have.
-    #[inline]
-    pub(super) fn looked_into(&self, cell: &Cell) {
-        if cell.axis & LATER != 0 {
-            // Threads may lose each other's counts: nothing but the moment of cutting hangs on them.
-            let looks = cell.looks.load(Ordering::Relaxed) + 1;
-            cell.looks.store(looks, Ordering::Relaxed);
-            if looks == MANY_LOOKS {
-                self.cut(cell);
-            }
+            Some(halves) => halves,
+            None => self.cut(cell),
         }
     }
 
@@ -265,9 +228,8 @@ impl Field {
     fn cut<'a>(&self, cell: &'a Cell) -> &'a [Cell; 2] {
         cell.halves.get_or_init(|| {
             let (mut low, mut high) = (cell.known.bounds, cell.known.bounds);
-            let axis = usize::from(cell.axis & 3);
-            low.max[axis] = cell.plane;
-            high.min[axis] = cell.plane;
+            low.max[usize::from(cell.axis)] = cell.plane;
+            high.min[usize::from(cell.axis)] = cell.plane;
             Box::new([self.cell(low, Some(cell)), self.cell(high, Some(cell))])
         })
     }
@@ -275,11 +237,7 @@ impl Field {
     /// Bounds the function over a box, which may be a half of another.
     fn cell(&self, bounds: Aabb, whole: Option<&Cell>) -> Cell {
         let variable = |k: usize| Bounds::variable(k, Range::new(bounds.min[k], bounds.max[k]));
-        let mut found = self.function.enclose(&[variable(0), variable(1), variable(2)]);
-        if let Some(Model { slope, spread, .. }) = whole.map(|whole| whole.known.model) {
-            let known = |k: usize| Range { lo: slope[k] - spread[k], hi: slope[k] + spread[k] };
-            found.slopes = std::array::from_fn(|k| found.slopes[k].meet(known(k)));
-        }
+        let found = self.function.enclose(&[variable(0), variable(1), variable(2)]);
         let centre = bounds.centre();
         let half = bounds.size() * 0.5;
         let model = Model {
@@ -295,10 +253,6 @@ impl Field {
             value = value.meet(Range::one(model.middle) + Range::within(away));
         }
         self.note_slope(value, &found.slopes);
-        let allowed = SURELY * self.max_gradient;
-        let is_sure = whole.is_some_and(|whole| whole.known.is_sure)
-            || ((model.slope.abs() + model.spread).length() <= allowed
-                && model.spread.length() <= TELLING * allowed);
         let depth = whole.map_or(0, |whole| whole.depth + 1);
         let mut cell = Cell {
             plane: 0.0,
@@ -306,12 +260,12 @@ impl Field {
             depth,
             halves: OnceLock::new(),
             value,
-            looks: AtomicU32::new(0),
-            known: Box::new(Known { model, bounds, is_sure }),
+            known: Box::new(Known { model, bounds }),
         };
-        let cut = cell.is_to_be_cut(self.max_gradient).zip(axis_to_cut(&found.slopes, half));
-        if let Some((at_once, axis)) = cut {
-            (cell.plane, cell.axis) = (centre[axis], axis as u8 | if at_once { 0 } else { LATER });
+        if let Some(axis) =
+            axis_to_cut(&found.slopes, half).filter(|_| cell.is_worth_cutting(self.max_gradient))
+        {
+            (cell.plane, cell.axis) = (centre[axis], axis as u8);
         }
         cell
     }

@@ -32,27 +32,19 @@ impl Grid {
         Grid { start, step: length / count as f64, per_step: count as f64 / length, count }
     }
 
-    /// Can numbers tell neighbouring points from each other?
-    #[inline]
-    pub(super) fn is_fine(&self) -> bool {
-        self.step > 4.0 * f64::EPSILON * self.at(self.count).abs().max(self.start.abs())
-    }
-
     /// Where a point is.
     #[inline]
     pub(super) fn at(&self, index: u64) -> f64 {
-        // Signed numbers are turned into others by one instruction.
-        self.start + index as i64 as f64 * self.step
+        self.start + index as f64 * self.step
     }
 
     /// The first point that is not before `t`; beyond the last one if there is none.
     #[inline]
     pub(super) fn not_before(&self, t: f64) -> u64 {
         let steps = (t - self.start) * self.per_step;
-        let whole = (steps as i64).max(0);
+        let whole = steps as u64;
         // Rounding up without a call of the system's library.
-        let up = i64::from((whole as f64) < steps);
-        (whole as u64).min(self.count) + up as u64
+        whole.saturating_add(u64::from((whole as f64) < steps)).min(self.count + 1)
     }
 }
 

@@ -8,13 +8,12 @@ use raggio_function::Range;
 use raggio_math::Ray;
 
 use super::Isosurface;
-use super::bent::Slopes;
 use super::field::{Cell, Model};
 use super::grid::{Grid, Sample};
 use super::walk::Walk;
 
 /// Slopes that spread over more than this share of what the maximal gradient allows tell nothing.
-pub(super) const TELLING: f64 = 0.9;
+const TELLING: f64 = 0.9;
 
 /// The function along a ray, above the threshold or, with the sign turned, below it.
 pub(super) struct Search<'a> {
@@ -39,8 +38,6 @@ struct Progress {
     last: Option<Sample>,
     /// What the value is surely not below where the walk stands.
     least: f64,
-    /// Was the function looked at where it may rise and fall?
-    bent: bool,
 }
 
 impl<'a> Search<'a> {
@@ -128,7 +125,7 @@ impl<'a> Search<'a> {
             let steepest = Range::within(self.gradient * self.stretch);
             return self.first(&grid, first, last, steepest).map(|s| s.t);
         };
-        let mut progress = Progress { done: 0, unknown_from: 0, last: first, least: value.lo, bent: false };
+        let mut progress = Progress { done: 0, unknown_from: 0, last: first, least: value.lo };
         while let Some((cell, stretch)) =
             walk.next(|cell, stretch| self.is_free(cell, stretch, &mut progress.least))
         {
@@ -136,12 +133,9 @@ impl<'a> Search<'a> {
                 if stretch.1 < end { grid.not_before(stretch.1).saturating_sub(1) } else { grid.count };
             let first = grid.not_before(stretch.0).max(progress.done + 1);
             // Behind a stretch that is not free the value may be anything.
-            let entry = (stretch, std::mem::replace(&mut progress.least, f64::NEG_INFINITY));
+            let entry = (stretch.0, std::mem::replace(&mut progress.least, f64::NEG_INFINITY));
             if first <= last {
                 let found = self.in_stretch(&grid, (first, last), entry, cell.model(), &mut progress);
-                if std::mem::take(&mut progress.bent) {
-                    walk.looked_into(cell);
-                }
                 if let Some(index) = found {
                     return Some(grid.at(index));
                 }
@@ -184,7 +178,7 @@ impl<'a> Search<'a> {
         &mut self,
         grid: &Grid,
         (first, last): (u64, u64),
-        ((enter, leave), least): ((f64, f64), f64),
+        entry: (f64, f64),
         model: &Model,
         progress: &mut Progress,
     ) -> Option<u64> {
@@ -195,7 +189,7 @@ impl<'a> Search<'a> {
             (progress.done, progress.unknown_from) = (last, last);
             return before.or_else(|| self.falling(grid, a, b, slope));
         }
-        let Some(((a, b), met)) = ends.zip(self.telling(slope)) else {
+        let Some(((a, b), slope)) = ends.zip(self.telling(slope)) else {
             if progress.done + 1 < first || progress.unknown_from >= progress.done {
                 if let Some(found) = self.postponed(grid, progress) {
                     return Some(found);
@@ -209,20 +203,8 @@ impl<'a> Search<'a> {
             return Some(found);
         }
         (progress.done, progress.unknown_from) = (last, last);
-        let least = a.value.lo.max(least + met.lo * (a.t - enter));
-        if met == slope && grid.is_fine() {
-            let b = (b.t, b.value.lo);
-            progress.bent = true;
-            return match self.first_of(grid, (first, last), (a.t, least), b, &Slopes::new(slope)) {
-                Ok(found) => Some(found),
-                Err((t, value)) => {
-                    let least = b.1.max(value + slope.lo * (b.0 - t));
-                    progress.least = least + slope.lo * (leave - b.0);
-                    None
-                }
-            };
-        }
-        self.bent(grid, Known { value: Range { lo: least, ..a.value }, ..a }, b, met)
+        let least = a.value.lo.max(entry.1 + slope.lo * (a.t - entry.0));
+        self.bent(grid, Known { value: Range { lo: least, ..a.value }, ..a }, b, slope)
     }
 
     /// Searches what was postponed.
@@ -288,7 +270,7 @@ impl<'a> Search<'a> {
         (low <= b.index).then_some(low)
     }
 
-    /// The first point below zero where the function may rise and fall, if the scene's maximal gradient is right.
+    /// The first point below zero where the function may rise and fall.
     fn bent(&mut self, grid: &Grid, a: Known, b: Known, slope: Range) -> Option<u64> {
         let a = if a.value.lo >= 0.0 {
             Sample { index: a.index, t: a.t, value: a.value.lo }

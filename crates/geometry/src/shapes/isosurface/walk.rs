@@ -76,7 +76,7 @@ impl<'a> Walk<'a> {
         while cell.axis != NONE {
             let axis = usize::from(cell.axis & 3);
             let near = self.near[axis] & 1;
-            let Some(halves) = self.field.halves(cell) else { break };
+            let halves = self.field.halves(cell);
             // Along the plane this is infinite, with the sign that leads to the side where the ray is.
             let crossing = (cell.plane - self.origin[axis]) * self.inverse[axis];
             if crossing <= from {
@@ -99,12 +99,6 @@ impl<'a> Walk<'a> {
         let here = self.pop().unwrap_or(self.last);
         self.push(here);
         here
-    }
-
-    /// Takes down that the surface was looked for in a box.
-    #[inline]
-    pub(super) fn looked_into(&self, cell: &Cell) {
-        self.field.looked_into(cell);
     }
 
     #[inline]
