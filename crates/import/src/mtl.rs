@@ -5,10 +5,7 @@
 use std::sync::Arc;
 
 use raggio_image::{Color, Curve, FileCurve, Rgb, decode};
-use raggio_math::Vec2;
-use raggio_scene::{
-    Finish, ImageMap, ImageSource, Interpolation, Layer, MapType, Pigment, PigmentKind, Texture, TextureKind,
-};
+use raggio_scene::{Finish, ImageMap, Interpolation, Layer, Pigment, PigmentKind, Texture, TextureKind};
 
 use crate::text::{Lines, Words};
 use crate::{Result, Surroundings};
@@ -99,18 +96,7 @@ fn picture(name: &str, words: &Words, around: &Surroundings) -> Result<Option<Ar
     Ok(Some(Arc::new(ImageMap {
         conversion: from.zip(around.working).filter(|(from, to)| from != to),
         premultiplied: bitmap.premultiplied,
-        source: ImageSource { mosaic: Arc::new(bitmap.into()) },
-        map_type: MapType::Planar,
-        once: false,
         interpolation: Interpolation::Bilinear,
-        repeat: Vec2::ONE,
-        offset: Vec2::ZERO,
-        filter_all: 0.0,
-        transmit_all: 0.0,
-        filter_index: Vec::new(),
-        transmit_index: Vec::new(),
-        use_index: false,
-        smooth: false,
-        use_alpha: false,
+        ..ImageMap::new(bitmap.into())
     })))
 }

@@ -269,6 +269,29 @@ pub struct ImageMap {
     pub use_alpha: bool,
 }
 
+impl ImageMap {
+    /// A picture with the language's defaults and no conversion.
+    pub fn new(mosaic: Mosaic) -> Self {
+        ImageMap {
+            source: ImageSource { mosaic: Arc::new(mosaic) },
+            map_type: MapType::Planar,
+            once: false,
+            interpolation: Interpolation::None,
+            smooth: false,
+            repeat: Vec2::ONE,
+            offset: Vec2::ZERO,
+            conversion: None,
+            premultiplied: false,
+            filter_all: 0.0,
+            transmit_all: 0.0,
+            filter_index: Vec::new(),
+            transmit_index: Vec::new(),
+            use_index: false,
+            use_alpha: false,
+        }
+    }
+}
+
 /// Where an image's samples come from. Functions have been sampled already.
 #[derive(Clone, Debug)]
 pub struct ImageSource {

@@ -2,7 +2,7 @@
 use std::sync::Arc;
 
 use raggio_image::{Bitmap, FileCurve, Pixels};
-use raggio_math::{Vec2, Vec3, transform};
+use raggio_math::{Vec3, transform};
 use raggio_scene as scene;
 use raggio_scene::{Color, Finish, Pattern, PatternKind, Pigment, TextureKind, Warp, Wave};
 use raggio_shading::{Context, Noise, Texture, TextureMap};
@@ -73,23 +73,7 @@ fn an_average_uses_all_by_weight() {
 fn a_material_map_takes_the_palettes_index() {
     let pixels = Pixels::Palette { indices: vec![1, 0, 3, 2], colors: vec![[0, 0, 0, 255]; 4] };
     let bitmap = Bitmap { width: 2, height: 2, pixels, curve: FileCurve::None, premultiplied: false };
-    let image = scene::ImageMap {
-        source: scene::ImageSource { mosaic: Arc::new(bitmap.into()) },
-        map_type: scene::MapType::Planar,
-        once: false,
-        interpolation: scene::Interpolation::None,
-        repeat: Vec2::ONE,
-        offset: Vec2::ZERO,
-        conversion: None,
-        premultiplied: false,
-        filter_all: 0.0,
-        transmit_all: 0.0,
-        filter_index: Vec::new(),
-        transmit_index: Vec::new(),
-        use_index: false,
-        smooth: false,
-        use_alpha: false,
-    };
+    let image = scene::ImageMap::new(bitmap.into());
     let textures = vec![plain(Color::BLACK), plain(Color::WHITE)];
     let texture = compile(TextureKind::MaterialMap { warps: Vec::new(), image: Arc::new(image), textures });
     let red = |x: f64, y: f64| chosen(&texture, Vec3::new(x, y, 0.0))[0].0;

@@ -3,8 +3,7 @@
 use std::sync::Arc;
 
 use raggio_image::{FileCurve, Pixels};
-use raggio_math::Vec2;
-use raggio_scene::{Bitmap, Curve, Function, GammaMode, ImageMap, ImageSource, Interpolation, MapType};
+use raggio_scene::{Bitmap, Curve, Function, GammaMode, ImageMap, Interpolation, MapType};
 
 use super::function;
 use super::util::{color, comma_float, float, set_flag, vec2, word};
@@ -66,20 +65,9 @@ pub fn block_with(
 fn image_map(p: &Parser, source: Source, usage: Usage) -> ImageMap {
     ImageMap {
         conversion: conversion(p, &source, usage),
-        source: ImageSource { mosaic: Arc::new(source.bitmap.into()) },
-        map_type: MapType::Planar,
-        once: false,
-        interpolation: Interpolation::None,
-        repeat: Vec2::ONE,
-        offset: Vec2::ZERO,
         premultiplied: source.premultiplied,
-        filter_all: 0.0,
-        transmit_all: 0.0,
-        filter_index: Vec::new(),
-        transmit_index: Vec::new(),
         use_index: usage == Usage::Material,
-        smooth: false,
-        use_alpha: false,
+        ..ImageMap::new(source.bitmap.into())
     }
 }
 

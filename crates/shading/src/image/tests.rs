@@ -3,7 +3,7 @@ use std::sync::Arc;
 
 use raggio_image::{Bitmap, Curve, FileCurve, Mosaic, Pixels};
 use raggio_math::{Vec2, Vec3};
-use raggio_scene::{ImageMap, ImageSource, Interpolation, MapType};
+use raggio_scene::{ImageMap, Interpolation, MapType};
 
 use super::{FOOTPRINT_STEP, Image};
 
@@ -41,23 +41,7 @@ fn pictures(count: usize) -> Vec<Pixels> {
 }
 
 fn map(mosaic: Mosaic) -> ImageMap {
-    ImageMap {
-        source: ImageSource { mosaic: Arc::new(mosaic) },
-        map_type: MapType::Planar,
-        once: false,
-        interpolation: Interpolation::None,
-        repeat: Vec2::ONE,
-        offset: Vec2::ZERO,
-        conversion: None,
-        premultiplied: false,
-        filter_all: 0.0,
-        transmit_all: 0.0,
-        filter_index: Vec::new(),
-        transmit_index: Vec::new(),
-        use_index: false,
-        smooth: false,
-        use_alpha: false,
-    }
+    ImageMap::new(mosaic)
 }
 
 /// The middles of all pixels, and points all around the picture.

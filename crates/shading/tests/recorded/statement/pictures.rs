@@ -1,9 +1,7 @@
 //! The small pictures and density files that the recorded statements name.
-use std::sync::Arc;
 
 use raggio_image::{FileCurve, Pixels};
-use raggio_math::Vec2;
-use raggio_scene::{Bitmap, DensityFile, ImageMap, ImageSource, Interpolation, MapType};
+use raggio_scene::{Bitmap, DensityFile, ImageMap};
 
 const RGBA: [[u8; 4]; 20] = [
     [74, 165, 0, 91],
@@ -53,23 +51,7 @@ pub fn bitmap(name: &str) -> Bitmap {
 
 /// An image map with the language's defaults and no conversion.
 pub fn image_map(name: &str) -> ImageMap {
-    ImageMap {
-        source: ImageSource { mosaic: Arc::new(bitmap(name).into()) },
-        map_type: MapType::Planar,
-        once: false,
-        interpolation: Interpolation::None,
-        repeat: Vec2::ONE,
-        offset: Vec2::ZERO,
-        conversion: None,
-        premultiplied: false,
-        filter_all: 0.0,
-        transmit_all: 0.0,
-        filter_index: Vec::new(),
-        transmit_index: Vec::new(),
-        use_index: false,
-        smooth: false,
-        use_alpha: false,
-    }
+    ImageMap::new(bitmap(name).into())
 }
 
 /// A density file by its name.
