@@ -77,6 +77,10 @@ impl Tracer<'_> {
         texture: &WorldTexture,
         layer: &Layer,
     ) -> Seen {
+        // What counts no more than this is left out, were it the whole.
+        if self.bailout >= 1.0 {
+            return Seen::BLACK;
+        }
         let look = match layer.plain_color() {
             Some(&color) if !self.quality.quick_color() => Look { color, found: true, n: point.n },
             _ => self.look_alone(point, texture, layer),
