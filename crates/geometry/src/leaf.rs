@@ -100,6 +100,12 @@ fn closest_placed(
     None
 }
 
+/// Puts a hit where it is wanted, and says whether there is one.
+#[inline(always)]
+pub(crate) fn put(found: Option<Hit>, out: &mut Hit) -> bool {
+    found.map(|hit| *out = hit).is_some()
+}
+
 impl Leaves {
     /// The nearest hit of one leaf, or any hit that `stops` says yes to.
     #[inline]
@@ -127,30 +133,22 @@ impl Leaves {
     ) -> bool {
         let leaf = &self.leaves[index as usize];
         let at = |t: f64, local: LocalHit| Hit { t, leaf: index, inverted: leaf.inverted, local };
-        let mut put = |found: Option<LocalHit>| match found {
-            Some(local) => {
-                *out = at(local.t, local);
-                true
-            }
-            None => false,
-        };
+        let own = |local: LocalHit| at(local.t, local);
         match &leaf.prim {
-            Prim::Sphere { sphere, .. } => put(sphere.closest(ray, range)),
-            Prim::Plane(plane) => put(plane.closest(ray, range)),
-            Prim::Box(cuboid) => put(cuboid.closest(ray, range)),
+            Prim::Sphere { sphere, .. } => put(sphere.closest(ray, range).map(own), out),
+            Prim::Plane(plane) => put(plane.closest(ray, range).map(own), out),
+            Prim::Box(cuboid) => put(cuboid.closest(ray, range).map(own), out),
             Prim::PlacedBox { cuboid, place } => {
-                put(cuboid.closest(&ray.transformed(&self.places[*place as usize]), range))
+                put(cuboid.closest(&ray.transformed(&self.places[*place as usize]), range).map(own), out)
             }
             Prim::World(s) => {
-                put(self.shapes[*s as usize].closest_or(ray, range, |local| stops(&at(local.t, *local))))
+                let shape = &self.shapes[*s as usize];
+                put(shape.closest_or(ray, range, |local| stops(&own(*local))).map(own), out)
             }
             Prim::Placed { shape, place } => {
                 let (shape, place) = (&self.shapes[*shape as usize], &self.places[*place as usize]);
                 let found = closest_placed(shape, place, ray, range, |t, local| stops(&at(t, *local)));
-                found.is_some_and(|(t, local)| {
-                    *out = at(t, local);
-                    true
-                })
+                put(found.map(|(t, local)| at(t, local)), out)
             }
         }
     }

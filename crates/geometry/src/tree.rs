@@ -9,7 +9,7 @@ use raggio_math::{Ray, Vec3};
 
 use crate::convex::Convex;
 use crate::index::{Deciders, ENOUGH, Index};
-use crate::leaf::Leaves;
+use crate::leaf::{Leaves, put};
 use crate::probe::Probe;
 use crate::solid::Solid;
 use crate::{Hit, LocalHit};
@@ -394,13 +394,4 @@ impl Tree {
                 || self.closest(bound, probe, (0.0, f64::INFINITY), 0, scratch, &|_| true).is_some()
         })
     }
-}
-
-/// Puts a hit where it is wanted, and says whether there is one.
-#[inline(always)]
-fn put(found: Option<Hit>, out: &mut Hit) -> bool {
-    found.is_some_and(|hit| {
-        *out = hit;
-        true
-    })
 }

@@ -11,7 +11,6 @@ pub struct Interior {
     pub ior: f32,
     pub dispersion: f32,
     pub dispersion_samples: u32,
-    /// As written; the light spec's formula has the factor 45.
     /// The power of the cosine that brightens shadows through the surface; 0 for none.
     pub caustics: f64,
     pub fade_distance: f32,

@@ -2,8 +2,7 @@
 //! the irradiance cache of Ward, Rubinstein and Clear 1988).
 //!
 //! The picture does not depend on threads: samples of a pass are seen by later passes, and within the pass only by
-//! the group of tiles that made them. Pass k has 2^k groups; threads without a
-//! group help with the rays of new samples.
+//! the group of tiles that made them. Pass k has 2^k groups; threads without a group help with the rays of new samples.
 mod ahead;
 mod cache;
 mod gather;

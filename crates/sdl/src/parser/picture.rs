@@ -37,9 +37,7 @@ impl Parser<'_> {
             None => (None, ENDINGS),
         };
         let (found, bytes) = self.find(name, endings, span)?;
-        match raggio_image::decode(&bytes, format.or_else(|| Format::from_name(&found))) {
-            Ok(bitmap) => Ok(bitmap),
-            Err(fault) => self.error("bad-image", format!("\"{found}\": {fault}"), span),
-        }
+        raggio_image::decode(&bytes, format.or_else(|| Format::from_name(&found)))
+            .or_else(|fault| self.error("bad-image", format!("\"{found}\": {fault}"), span))
     }
 }

@@ -46,29 +46,31 @@ fn grain(n: f64, generator: u8) -> f64 {
 }
 
 pub(super) fn wrinkles(p: Vec3, generator: u8) -> f64 {
-    let (mut sum, mut weight) = (0.0, 0.5);
-    for n in octaves::<10>(generator, p, 1.0, 2.0) {
-        sum += weight * wrinkle(n, generator);
-        weight *= 0.5;
-    }
-    sum
+    add_wrinkles::<10>((0.0, 0.5), p, 1.0, generator).0
 }
 
 /// The value of `wrinkles`; `None` where its first four octaves are above `bound` already, as the others only add.
 pub(super) fn wrinkles_unless_above(p: Vec3, bound: f64, generator: u8) -> Option<f64> {
-    let (mut sum, mut weight) = (0.0, 0.5);
-    for n in octaves::<4>(generator, p, 1.0, 2.0) {
-        sum += weight * wrinkle(n, generator);
-        weight *= 0.5;
-    }
-    if sum > bound {
+    let first = add_wrinkles::<4>((0.0, 0.5), p, 1.0, generator);
+    if first.0 > bound {
         return None;
     }
-    for n in octaves::<6>(generator, p, 16.0, 2.0) {
+    Some(add_wrinkles::<6>(first, p, 16.0, generator).0)
+}
+
+/// Adds octaves to a sum, the first at a scale; gives the sum and the weight of the next.
+#[inline(always)]
+fn add_wrinkles<const N: usize>(
+    (mut sum, mut weight): (f64, f64),
+    p: Vec3,
+    scale: f64,
+    generator: u8,
+) -> (f64, f64) {
+    for n in octaves::<N>(generator, p, scale, 2.0) {
         sum += weight * wrinkle(n, generator);
         weight *= 0.5;
     }
-    Some(sum)
+    (sum, weight)
 }
 
 pub(super) fn wrinkles4(points: &[Vec3; 4], generator: u8) -> [f64; 4] {
