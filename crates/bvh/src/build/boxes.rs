@@ -26,6 +26,7 @@ impl Leaves for Runs {
     type Leaf = u32;
     const FEWEST_BINS: usize = 8;
     const ALONE: bool = true;
+    const SMALLEST_LAST: bool = false;
 
     fn size(&self) -> usize {
         self.0

@@ -37,6 +37,9 @@ pub(crate) trait Leaves: Sync {
     /// Is a leaf of one as good as any? Otherwise it had better be full.
     const ALONE: bool;
 
+    /// Does the child that holds least come last in a node? Otherwise it comes first.
+    const SMALLEST_LAST: bool;
+
     /// Most primitives that may share a leaf.
     fn size(&self) -> usize;
 
@@ -121,7 +124,7 @@ impl<L: Leaves> Builder<'_, L> {
         for (i, child) in children[..count].iter().enumerate() {
             let (own, rest) = prims.split_at_mut(child.len);
             prims = rest;
-            let slot = rank(children[..count].iter(), i, child);
+            let slot = rank::<L>(&children[..count], i);
             let word = self.child(own, child, depth + 1, tree);
             set(&mut tree.nodes[index], slot, child, word);
         }
@@ -134,7 +137,7 @@ impl<L: Leaves> Builder<'_, L> {
         let limit = all.len.div_ceil(PARTS).max(SMALL);
         let top = self.top(&mut prims, &all, 0, limit);
         let mut waiting = Vec::new();
-        place(top, &mut tree.nodes, &mut waiting);
+        place::<L>(top, &mut tree.nodes, &mut waiting);
         // Kept from batch to batch: fresh memory would have to be cleared for each.
         let mut parts: Vec<Tree<L::Leaf>> = (0..BATCH).map(|_| Tree::EMPTY).collect();
         while !waiting.is_empty() {
@@ -206,23 +209,25 @@ impl<L: Leaves> Builder<'_, L> {
     }
 }
 
-/// The place of the `i`-th child of a node, the smallest first: rays that seek just any hit take children as they come.
-fn rank<'a>(children: impl Iterator<Item = &'a Run>, i: usize, child: &Run) -> usize {
-    children.enumerate().filter(|(j, other)| (other.len, *j) < (child.len, i)).count()
+/// The place of the `i`-th child of a node, by how much the children hold.
+fn rank<L: Leaves>(children: &[Run], i: usize) -> usize {
+    let size = |j: usize| (children[j].len, j);
+    let smaller = (0..children.len()).filter(|&j| size(j) < size(i)).count();
+    if L::SMALLEST_LAST { children.len() - 1 - smaller } else { smaller }
 }
 
 /// Makes the nodes of the upper part, and lists what waits, in the order of the primitives. Returns the root's word.
-fn place(top: Top, nodes: &mut Vec<Node>, waiting: &mut Vec<Waiting>) -> u32 {
+fn place<L: Leaves>(top: Top, nodes: &mut Vec<Node>, waiting: &mut Vec<Waiting>) -> u32 {
     let Top::Node(children) = top else { return Child::LEAF };
     let index = nodes.len();
     nodes.push(Node::EMPTY);
     let runs: Vec<Run> = children.iter().map(|(run, _)| *run).collect();
     for (i, (run, below)) in children.into_iter().enumerate() {
-        let slot = rank(runs.iter(), i, &run);
+        let slot = rank::<L>(&runs, i);
         match below {
             Top::Part(depth) => waiting.push(Waiting { run, depth, node: index, slot }),
             below => {
-                let word = place(below, nodes, waiting);
+                let word = place::<L>(below, nodes, waiting);
                 set(&mut nodes[index], slot, &run, word);
             }
         }

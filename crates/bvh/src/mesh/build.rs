@@ -52,6 +52,7 @@ impl Leaves for Triangles<'_> {
     type Leaf = Block;
     const FEWEST_BINS: usize = 4;
     const ALONE: bool = false;
+    const SMALLEST_LAST: bool = true;
 
     fn size(&self) -> usize {
         LANES

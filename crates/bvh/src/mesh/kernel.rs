@@ -271,14 +271,14 @@ macro_rules! kernel {
                         let node = word;
                         word = boxes.child(node, mask.trailing_zeros() as usize);
                         mask &= mask - 1;
+                        // The last of them is the smallest, and asked first.
                         while mask != 0 {
-                            let slot = mask.trailing_zeros() as usize;
-                            mask &= mask - 1;
-                            let other = boxes.child(node, slot);
-                            boxes.prefetch(other);
                             // SAFETY: top stays under STACK by the builder's depth bound.
-                            unsafe { stack.get_unchecked_mut(top).write(other) };
+                            unsafe { stack.get_unchecked_mut(top).write(word) };
                             top += 1;
+                            word = boxes.child(node, mask.trailing_zeros() as usize);
+                            mask &= mask - 1;
+                            boxes.prefetch(word);
                         }
                     }
                     if word != u32::MAX {
