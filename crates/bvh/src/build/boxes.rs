@@ -42,6 +42,10 @@ impl Leaves for Runs {
         count as f32
     }
 
+    fn fits(&self, _: &[Prim]) -> bool {
+        true
+    }
+
     fn add(&self, prims: &[Prim], leaves: &mut Vec<u32>) -> u32 {
         let start = leaves.len();
         leaves.extend(prims.iter().map(Prim::number));

@@ -24,6 +24,12 @@ pub(crate) const LARGE: usize = 1 << 14;
 /// A large tree is built in about this many parts or more, unless they would be smaller than [`SMALL`].
 const PARTS: usize = 256;
 const SMALL: usize = 1 << 10;
+/// Runs of fewer full leaves are at the bottom of a tree.
+const BOTTOM: usize = 50;
+/// Runs of at most so many full leaves become a node of leaves.
+const NODE: usize = 6;
+/// A child with more than this share of a run's area is large.
+const LARGE_PART: f32 = 0.4;
 /// Parts that are built side by side before their memory is given back.
 const BATCH: usize = 8;
 
@@ -48,6 +54,9 @@ pub(crate) trait Leaves: Sync {
 
     /// What asking so many primitives costs.
     fn cost(count: u32) -> f32;
+
+    /// Is there room in a leaf for all of these? There always is for two.
+    fn fits(&self, prims: &[Prim]) -> bool;
 
     /// Appends a leaf and returns its child word.
     fn add(&self, prims: &[Prim], leaves: &mut Vec<Self::Leaf>) -> u32;
@@ -86,8 +95,8 @@ struct Builder<'a, L: Leaves> {
 /// A tree over primitives (none without primitives), and a box around them.
 pub(crate) fn build<L: Leaves>(kind: &L, mut prims: Vec<Prim>) -> (Tree<L::Leaf>, Bounds) {
     let mut tree = Tree::EMPTY;
-    let all = Run::of(&prims);
     let builder = Builder { kind, size: kind.size() };
+    let all = builder.judged(&prims, Run::of(&prims));
     if prims.len() >= LARGE {
         builder.large(prims, all, &mut tree);
     } else if !prims.is_empty() {
@@ -109,9 +118,15 @@ impl<L: Leaves> Builder<'_, L> {
         pages::ask_for_large(&tree.leaves);
     }
 
+    /// A run of which is known whether it may become a leaf.
+    fn judged(&self, prims: &[Prim], mut run: Run) -> Run {
+        run.leaf = run.len <= self.size && self.kind.fits(prims);
+        run
+    }
+
     /// The child word for a run: a leaf, or a node built below.
     fn child(&self, prims: &mut [Prim], run: &Run, depth: usize, tree: &mut Tree<L::Leaf>) -> u32 {
-        match run.len <= self.size {
+        match run.leaf {
             true => self.kind.add(prims, &mut tree.leaves),
             false => self.node(prims, run, depth, tree),
         }
@@ -170,23 +185,37 @@ impl<L: Leaves> Builder<'_, L> {
         if L::ALONE && prims.len() <= WIDTH {
             // Of primitives that a ray enters at one place the first is then asked first.
             prims.sort_unstable_by_key(Prim::number);
-            prims.chunks(1).zip(&mut children).for_each(|(prim, child)| *child = Run::of(prim));
+            for (prim, child) in prims.chunks(1).zip(&mut children) {
+                *child = self.judged(prim, Run::of(prim));
+            }
             return (children, prims.len());
         }
         let mut count = 1;
         while count < WIDTH {
-            let largest = (0..count)
-                .filter(|&i| children[i].len > self.size)
-                .max_by(|&a, &b| children[a].bounds.half_area().total_cmp(&children[b].bounds.half_area()));
-            let Some(i) = largest else { break };
+            let Some(i) = self.next(run, &children[..count]) else { break };
             let start: usize = children[..i].iter().map(|child| child.len).sum();
             let own = &mut prims[start..start + children[i].len];
             let (left, right) = split::<L>(own, &children[i], depth < SAH_DEPTH);
             children.copy_within(i + 1..count, i + 2);
-            (children[i], children[i + 1]) = (left, right);
+            let (first, second) = own.split_at(left.len);
+            (children[i], children[i + 1]) = (self.judged(first, left), self.judged(second, right));
             count += 1;
         }
         (children, count)
+    }
+
+    /// The child to cut next. At the bottom of the tree a child that can become a node of leaves stays whole, unless it
+    /// is large or all its leaves find a place: two nodes with few leaves each take more room, and more time.
+    fn next(&self, run: &Run, children: &[Run]) -> Option<usize> {
+        let area = |i: usize| children[i].bounds.half_area();
+        let bottom = !L::ALONE && children.len() > 1 && run.len < BOTTOM * self.size;
+        let node = |i: usize| {
+            bottom && children[i].len <= NODE * self.size && area(i) < LARGE_PART * run.bounds.half_area()
+        };
+        let places = (self.size - 1) * (WIDTH + 1 - children.len());
+        (0..children.len())
+            .filter(|&i| !(children[i].leaf || node(i) && children[i].len > places))
+            .max_by(|&a, &b| node(b).cmp(&node(a)).then(area(a).total_cmp(&area(b))))
     }
 
     /// The part of a tree above runs of at most `limit`.
