@@ -90,19 +90,19 @@ impl Model {
         (self.middle + self.slope.dot(d), self.spread.dot(d.abs()))
     }
 
-    /// How much the value may change along a way at least and at most.
+    /// How much the value changes along a way by the middle of the slopes, and how far that may be off.
     #[inline(always)]
-    pub(super) fn change(&self, way: Vec3, sign: f64) -> Range {
-        let (middle, off) = (sign * self.slope.dot(way), self.spread.dot(way.abs()));
-        Range { lo: middle - off, hi: middle + off }
+    pub(super) fn change(&self, way: Vec3, sign: f64) -> (f64, f64) {
+        (sign * self.slope.dot(way), self.spread.dot(way.abs()))
     }
 
-    /// What `sign` times the value is not below at a point of the box, and at the end of a way from there.
+    /// What `sign` times the value is not below at a point of the box, and at the end of a way from there, along which
+    /// the middle of the slopes makes it rise by `rise`.
     #[inline(always)]
-    pub(super) fn least(&self, p: Vec3, way: Vec3, sign: f64) -> (f64, f64) {
+    pub(super) fn least(&self, p: Vec3, way: Vec3, sign: f64, rise: f64) -> (f64, f64) {
         let d = p - self.centre;
-        let at = |d: Vec3| sign * (self.middle + self.slope.dot(d)) - self.spread.dot(d.abs());
-        (at(d), at(d + way))
+        let middle = sign * (self.middle + self.slope.dot(d));
+        (middle - self.spread.dot(d.abs()), middle + rise - self.spread.dot((d + way).abs()))
     }
 
     /// Where the slope along a direction lies.

@@ -12,8 +12,8 @@ pub(super) struct Walk<'a> {
     /// By axis; the fourth is none.
     origin: [f64; 4],
     inverse: [f64; 4],
-    /// Which half of a box comes first, by the axis of the cut.
-    near: [usize; 4],
+    /// Bits of the axes along which the ray goes backwards: there the upper half of a box comes first.
+    backwards: usize,
     /// Where the ray goes on, and where its way ends.
     at: f64,
     end: f64,
@@ -32,13 +32,13 @@ impl<'a> Walk<'a> {
     /// The way of a ray, whose direction's inverse is known, between two parameters.
     #[inline]
     pub(super) fn new(field: &'a Field, ray: &Ray, inverse: Vec3, (from, end): (f64, f64)) -> Self {
-        let near = |along: f64| usize::from(along.is_sign_negative());
+        let back = |along: f64| usize::from(along.is_sign_negative());
         let root = field.root();
         Walk {
             field,
             origin: [ray.origin.x, ray.origin.y, ray.origin.z, 0.0],
             inverse: [inverse.x, inverse.y, inverse.z, 0.0],
-            near: [near(ray.dir.x), near(ray.dir.y), near(ray.dir.z), 0],
+            backwards: back(ray.dir.x) | back(ray.dir.y) << 1 | back(ray.dir.z) << 2,
             at: from,
             end,
             waiting: [root; ROOM],
@@ -75,7 +75,7 @@ impl<'a> Walk<'a> {
         let from = self.at;
         while cell.axis != NONE {
             let axis = usize::from(cell.axis & 3);
-            let near = self.near[axis] & 1;
+            let near = self.backwards >> axis & 1;
             let halves = self.field.halves(cell);
             // Along the plane this is infinite, with the sign that leads to the side where the ray is.
             let crossing = (cell.plane - self.origin[axis]) * self.inverse[axis];
