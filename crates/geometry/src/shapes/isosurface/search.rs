@@ -129,8 +129,7 @@ impl<'a> Search<'a> {
         while let Some((cell, stretch)) =
             walk.next(|cell, stretch| self.is_free(cell, stretch, &mut progress.least))
         {
-            let last =
-                if stretch.1 < end { (grid.not_before(stretch.1) - 1).max(0) } else { grid.count };
+            let last = if stretch.1 < end { (grid.not_before(stretch.1) - 1).max(0) } else { grid.count };
             let first = grid.not_before(stretch.0).max(progress.done + 1);
             // Behind a stretch that is not free the value may be anything.
             let entry = (stretch.0, std::mem::replace(&mut progress.least, f64::NEG_INFINITY));
@@ -148,8 +147,8 @@ impl<'a> Search<'a> {
     /// then made to hold for its end.
     #[inline(always)]
     fn is_free(&self, cell: &Cell, (from, to): (f64, f64), least: &mut f64) -> bool {
-        if cell.least(self.sign) > 0.0 {
-            *least = cell.least(self.sign);
+        if cell.is_positive(self.sign) {
+            *least = f64::MIN_POSITIVE;
             return true;
         }
         let way = self.ray.dir * (to - from);
