@@ -42,7 +42,7 @@ pub(super) struct Field {
 
 /// A box of the tree. Kept small, for there are many and rays come through most of them only on the way to others.
 #[derive(Debug)]
-#[repr(C)]
+#[repr(C, align(32))]
 pub(super) struct Cell {
     /// Where the box is cut.
     pub plane: f64,
