@@ -5,7 +5,8 @@
 use raggio_math::{Aabb, Ray, Vec3, Vec4, poly};
 use raggio_scene::{JuliaAlgebra, JuliaFunction};
 
-use super::collect::{Collect, searched_from};
+use super::beyond;
+use super::collect::{Collect, Enough, Nearest, searched_from};
 use super::hypercomplex::{self, Hypercomplex};
 use super::quaternion;
 use crate::{LocalHit, Surface};
@@ -249,11 +250,23 @@ impl Julia {
                 return;
             }
             let seen = self.look(ray, inverse, next);
-            if seen.inside != now.inside {
+            if seen.inside != now.inside && !to.settles(now.until, next) {
                 to.push(LocalHit::at(self.border(ray, self.place(&now, now.until), self.place(&seen, next))));
             }
             now = seen;
         }
+    }
+
+    /// The nearest hit, or one at about the place of any that `stops` says yes to.
+    pub(super) fn closest_or(
+        &self,
+        ray: &Ray,
+        range: (f64, f64),
+        stops: impl FnMut(&LocalHit) -> bool,
+    ) -> Option<LocalHit> {
+        let mut enough = Enough { nearest: Nearest::new(beyond(range, LEAST)), stops };
+        self.search(ray, &mut enough);
+        enough.nearest.best()
     }
 
     fn place(&self, look: &Look, t: f64) -> Place {
