@@ -299,7 +299,10 @@ impl Geometry {
 
     /// Is the point inside any top-level object?
     pub fn inside(&self, p: Vec3) -> bool {
-        self.tree.group_inside(&self.world, p)
+        match self.world.members[..] {
+            [only] => self.tree.inside(only.node, p),
+            _ => self.tree.group_inside(&self.world, p),
+        }
     }
 
     /// The interiors of all objects that contain the point, in the order of the scene (the start of a ray's list).
