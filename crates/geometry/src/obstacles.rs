@@ -27,7 +27,7 @@ pub struct BlockerGuess {
 
 /// A shadow ray under way.
 struct Way<'a> {
-    probe: &'a Probe,
+    probe: &'a Probe<'a>,
     range: (f64, f64),
     /// Of one object's surfaces nearer to each other than this only the first is met.
     gap: f64,

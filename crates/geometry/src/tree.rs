@@ -181,15 +181,20 @@ impl Tree {
         if !self.within_bounds(group, probe, scratch) {
             return None;
         }
-        if group.all_count() {
-            return self.closest_of_all(group, probe, range, class, scratch, stops);
-        }
-        self.closest_member(group, probe, range, class, stops, |index, range, out| {
-            put(self.closest_that_counts(group, index, probe, range, class, scratch), out)
-        })
+        let mut best = Hit::NONE;
+        let found = match group.all_count() {
+            true => self.closest_of_all(group, probe, range, class, scratch, stops, &mut best),
+            false => {
+                self.closest_member(group, probe, range, class, stops, &mut best, |index, range, out| {
+                    put(self.closest_that_counts(group, index, probe, range, class, scratch), out)
+                })
+            }
+        };
+        found.then_some(best)
     }
 
-    /// The nearest hit of the members of a group in which all hits count, its bounds not asked.
+    /// Puts the nearest hit of the members of a group in which all hits count, its bounds not asked, where it is
+    /// wanted, and says whether there is one.
     #[inline]
     pub(crate) fn closest_of_all<F: Fn(&Hit) -> bool>(
         &self,
@@ -199,8 +204,9 @@ impl Tree {
         class: u8,
         scratch: &mut Scratch,
         stops: &F,
-    ) -> Option<Hit> {
-        self.closest_member(group, probe, range, class, stops, |index, range, out| {
+        best: &mut Hit,
+    ) -> bool {
+        self.closest_member(group, probe, range, class, stops, best, |index, range, out| {
             match group.members[index as usize].node.node() {
                 Node::Leaf(leaf) => self.leaves.closest_into(leaf, &probe.ray, range, stops, out),
                 Node::Group(group) => {
@@ -211,8 +217,8 @@ impl Tree {
         })
     }
 
-    /// The nearest of the hits that `ask` finds of the members of a group, or any that `stops` says yes to. `ask` puts
-    /// a hit where it is told, and says whether there was one.
+    /// Puts the nearest of the hits that `ask` finds of the members of a group, or any that `stops` says yes to, into
+    /// `best`, and says whether there is one. So does `ask` with the hit of a member.
     #[inline(always)]
     fn closest_member(
         &self,
@@ -221,9 +227,10 @@ impl Tree {
         range: (f64, f64),
         class: u8,
         stops: &impl Fn(&Hit) -> bool,
+        best: &mut Hit,
         mut ask: impl FnMut(u32, (f64, f64), &mut Hit) -> bool,
-    ) -> Option<Hit> {
-        let (mut best, mut found) = (Hit::NONE, false);
+    ) -> bool {
+        let mut found = false;
         group.surfaces.closest(probe, range, |index, far, within| {
             let member = &group.members[index as usize];
             if member.skip & class != 0 {
@@ -236,19 +243,19 @@ impl Tree {
             if rivals && range.1 == far {
                 range.1 = far.next_up();
             }
-            if !ask(index, range, if rivals { &mut other } else { &mut best }) {
+            if !ask(index, range, if rivals { &mut other } else { &mut *best }) {
                 return None;
             }
             if rivals {
-                if !self.stands_before(&other, &best) {
+                if !self.stands_before(&other, best) {
                     return None;
                 }
-                best = other;
+                *best = other;
             }
             found = true;
-            Some(if stops(&best) { ENOUGH } else { best.t })
+            Some(if stops(best) { ENOUGH } else { best.t })
         });
-        found.then_some(best)
+        found
     }
 
     /// Which of two hits is seen? Of equally near ones the leaves' ranks decide, so that coincident surfaces look as

@@ -90,7 +90,7 @@ impl Tracer<'_> {
         let rgb = self.shine(point, &layer.finish, &look, Rgb::ONE, &mut Shared::default());
         below.cover(&look, &layer.finish, mirror.as_ref());
         if below.through <= self.bailout && mirror.is_none() {
-            return Seen { rgb, transmit: 0.0 };
+            return Seen::opaque(rgb);
         }
         let top = Top { n: look.n, irid: layer.finish.irid.as_ref() };
         self.beyond(point, rgb, &below, &top, mirror.as_slice())
@@ -254,7 +254,7 @@ impl Tracer<'_> {
             }
             through = grey(filter).abs().min(1.0);
         }
-        Seen { rgb, transmit: 0.0 }
+        Seen::opaque(rgb)
     }
 
     /// Adds what shines through and what the layers mirror.
@@ -267,7 +267,7 @@ impl Tracer<'_> {
         top: &Top<'_>,
         mirrors: &[Mirror],
     ) -> Seen {
-        let mut seen = Seen { rgb: light, transmit: 0.0 };
+        let (mut rgb, mut transmit) = (light, 0.0);
         let mut total = false;
         if below.through > self.bailout && self.quality.refraction() {
             let weight = point.beam.weight * below.filter.abs().max_element();
@@ -275,19 +275,19 @@ impl Tracer<'_> {
             let fade = self.world.interior(point.material.interior).seen_through(point);
             total = behind.total;
             if total {
-                seen.rgb += fade * behind.seen.rgb * self.film(top.irid, point, top.n);
+                rgb += fade * behind.seen.rgb() * self.film(top.irid, point, top.n);
             } else {
                 let filter = if below.colored { below.filter } else { Rgb::ONE };
-                seen.rgb += fade * behind.seen.rgb * filter;
-                seen.transmit = grey(fade) * behind.seen.transmit * below.through;
+                rgb += fade * behind.seen.rgb() * filter;
+                transmit = grey(fade) * behind.seen.transmit() * below.through;
             }
         }
         for mirror in mirrors {
             let same = (mirror.n - top.n).abs().max_element() < EPS;
             if !(total && same) {
-                seen.rgb += self.mirrored(point, mirror);
+                rgb += self.mirrored(point, mirror);
             }
         }
-        seen
+        Seen::new(rgb, transmit)
     }
 }
