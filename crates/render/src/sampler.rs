@@ -111,8 +111,8 @@ impl<'w> Sampler<'w> {
         if let Some(lens) = &camera.lens {
             return self.blurred(x, y, lens);
         }
-        match camera.ray(x, y, self.frame, None) {
-            Some(ray) => self.shoot(&ray, f64::INFINITY, x, y, 0),
+        match &camera.ray(x, y, self.frame, None) {
+            Some(ray) => self.shoot(ray, f64::INFINITY, x, y, 0),
             None => NOTHING,
         }
     }
@@ -148,8 +148,8 @@ impl<'w> Sampler<'w> {
             for _ in 0..lens.group(done) {
                 let sample = lens.sample(x, y, done);
                 let camera = &self.tracer.world.camera;
-                let pixel = match camera.ray(sample.x, sample.y, self.frame, Some(&sample)) {
-                    Some(ray) => self.shoot(&ray, f64::INFINITY, x, y, done as u64),
+                let pixel = match &camera.ray(sample.x, sample.y, self.frame, Some(&sample)) {
+                    Some(ray) => self.shoot(ray, f64::INFINITY, x, y, done as u64),
                     None => NOTHING,
                 };
                 for ((sum, square), value) in sum.iter_mut().zip(&mut squares).zip(pixel) {

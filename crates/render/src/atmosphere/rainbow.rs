@@ -161,10 +161,10 @@ mod tests {
     #[test]
     fn the_bow_stands_at_its_angle() {
         let red = seen_at(40.0 + 1e-6);
-        assert!((red.rgb - Rgb::new(1.0, 0.5, 0.5)).length() < 1e-4, "{red:?}");
+        assert!((red.rgb() - Rgb::new(1.0, 0.5, 0.5)).length() < 1e-4, "{red:?}");
         let middle = seen_at(42.0);
-        assert!((middle.rgb - Rgb::new(0.75, 0.5, 0.75)).length() < 1e-4);
-        assert!((middle.transmit - 0.25).abs() < 1e-6);
+        assert!((middle.rgb() - Rgb::new(0.75, 0.5, 0.75)).length() < 1e-4);
+        assert!((middle.transmit() - 0.25).abs() < 1e-6);
         for outside in [39.9, 44.1, 120.0] {
             assert_eq!(seen_at(outside), Seen::new(Rgb::ONE, 1.0));
         }

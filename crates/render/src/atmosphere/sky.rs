@@ -94,7 +94,7 @@ mod tests {
     fn backgrounds_with_and_without_alpha() {
         let half = Some([0.5, 0.5, 0.5, 0.0, 0.25]);
         let near = |s: Seen, v: f32, t: f32| {
-            assert!((s.rgb - Rgb::splat(v)).length() < 1e-6 && (s.transmit - t).abs() < 1e-6, "{s:?}");
+            assert!((s.rgb() - Rgb::splat(v)).length() < 1e-6 && (s.transmit() - t).abs() < 1e-6, "{s:?}");
         };
         near(dome(half, true).miss(Vec3::Z, false), 0.375, 0.0);
         near(dome(half, true).miss(Vec3::Z, true), 0.375, 0.25);
