@@ -109,7 +109,7 @@ impl Geometry {
         }
         let group = match member.node.node() {
             Node::Leaf(leaf) => {
-                return self.leaf_stops(leaf, &way.probe.ray, way.range, way.gap, obstacles);
+                return self.leaf_stops(leaf, way.probe.ray, way.range, way.gap, obstacles);
             }
             Node::Group(group) => &self.tree.groups[group as usize],
         };
@@ -161,7 +161,7 @@ impl Geometry {
     ) -> Option<bool> {
         let mut hits: SmallVec<[Hit; 6]> = SmallVec::new();
         let mut stopped = false;
-        let ray = &way.probe.ray;
+        let ray = way.probe.ray;
         solid.sweep(&self.tree, group, way.probe, way.range, |end| {
             stopped = obstacles.stops(end.leaf());
             if !stopped {

@@ -18,9 +18,10 @@ pub(crate) struct BoxRay {
 }
 
 impl<'r> Probe<'r> {
-    #[inline]
+    /// Not inlined, as [`Slab::new`] is not; the slab is made where it stays.
+    #[inline(never)]
     pub(crate) fn new(ray: &'r Ray) -> Self {
-        Probe { ray, slab: Slab::new(ray) }
+        Probe { ray, slab: Slab::new_here(ray) }
     }
 }
 

@@ -154,7 +154,7 @@ impl Tree {
         stops: &F,
     ) -> Option<Hit> {
         match node.node() {
-            Node::Leaf(leaf) => self.leaves.closest(leaf, &probe.ray, range, stops),
+            Node::Leaf(leaf) => self.leaves.closest(leaf, probe.ray, range, stops),
             Node::Group(group) => {
                 self.group_closest(&self.groups[group as usize], probe, range, class, scratch, stops)
             }
@@ -177,7 +177,7 @@ impl Tree {
         {
             return found;
         }
-        let range = group.span(&probe.ray, range)?;
+        let range = group.span(probe.ray, range)?;
         if !self.within_bounds(group, probe, scratch) {
             return None;
         }
@@ -208,7 +208,7 @@ impl Tree {
     ) -> bool {
         self.closest_member(group, probe, range, class, stops, best, |index, range, out| {
             match group.members[index as usize].node.node() {
-                Node::Leaf(leaf) => self.leaves.closest_into(leaf, &probe.ray, range, stops, out),
+                Node::Leaf(leaf) => self.leaves.closest_into(leaf, probe.ray, range, stops, out),
                 Node::Group(group) => {
                     let group = &self.groups[group as usize];
                     put(self.group_closest(group, probe, range, class, scratch, stops), out)
@@ -278,7 +278,7 @@ impl Tree {
         let node = group.members[member as usize].node;
         let counts = |t: f64| self.counts(group, member, probe.ray.at(t));
         if let Node::Leaf(leaf) = node.node() {
-            let ray = &probe.ray;
+            let ray = probe.ray;
             let found = self.leaves.closest_of_few(leaf, ray, range, 0.0, |hit| counts(hit.t));
             if let Some(found) = found.or_else(|| self.leaves.closest_counted(leaf, ray, range, counts)) {
                 return found;
@@ -299,7 +299,7 @@ impl Tree {
         let group = match node.node() {
             Node::Leaf(leaf) => {
                 let Lists { hits, local } = scratch.lists();
-                return self.leaves.hits(leaf, &probe.ray, range, local, hits);
+                return self.leaves.hits(leaf, probe.ray, range, local, hits);
             }
             Node::Group(group) => &self.groups[group as usize],
         };
@@ -307,7 +307,7 @@ impl Tree {
             let hits = &mut scratch.lists().hits;
             let start = hits.len();
             let swept = solid.sweep(self, group, probe, range, |end| {
-                hits.push(end.hit(self, &probe.ray)?);
+                hits.push(end.hit(self, probe.ray)?);
                 Some(true)
             });
             if swept.is_some() {
@@ -315,7 +315,7 @@ impl Tree {
             }
             hits.truncate(start);
         }
-        let Some(range) = group.span(&probe.ray, range) else { return };
+        let Some(range) = group.span(probe.ray, range) else { return };
         if !self.within_bounds(group, probe, scratch) {
             return;
         }

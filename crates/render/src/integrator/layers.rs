@@ -1,5 +1,6 @@
 //! A plain texture: its layers from the top down, then what shines through and what is mirrored (light spec,
 //! section 3.2).
+use glam::Vec3A;
 use raggio_image::{Color, Rgb, grey};
 use raggio_math::{EPS, Vec3};
 use raggio_scene::{Finish, Irid};
@@ -177,7 +178,7 @@ impl Tracer<'_> {
             own += self.light_around(point, finish, *n, grey(filter * tint), &mut shared.around);
         }
         let lit = match &self.radiosity {
-            Some(state) if state.skips_lights() => Rgb::ZERO,
+            Some(state) if state.skips_lights() => Vec3A::ZERO,
             _ => self.light_of_lights(point, finish, n, &color.rgb, opacity),
         };
         let thrown = match &self.photons {
@@ -186,7 +187,7 @@ impl Tracer<'_> {
             }
             _ => Rgb::ZERO,
         };
-        tint * own + lit + thrown
+        tint * own + Rgb::from(lit) + thrown
     }
 
     /// What a layer sends back of the light of lights. Light from under the surface takes the place of diffuse light.
@@ -197,11 +198,11 @@ impl Tracer<'_> {
         n: &Vec3,
         rgb: &Rgb,
         opacity: f32,
-    ) -> Rgb {
+    ) -> Vec3A {
         let below = finish.subsurface.and_then(|_| self.light_from_below(point, finish, *n, *rgb));
         let shiny = below.map(|_| Finish { diffuse: 0.0, diffuse_back: 0.0, ..*finish });
         let reflected = self.local_light(point, shiny.as_ref().unwrap_or(finish), n, rgb, opacity);
-        below.map_or(reflected, |below| below + reflected)
+        below.map_or(reflected, |below| Vec3A::from(below) + reflected)
     }
 
     /// What a layer sends back of the light of other surfaces, before it is tinted; `share` of it is seen.
