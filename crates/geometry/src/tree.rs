@@ -88,8 +88,8 @@ pub(crate) struct Group {
 /// Lists of hits.
 #[derive(Default)]
 pub(crate) struct Lists {
-    hits: Vec<Hit>,
-    local: Vec<LocalHit>,
+    pub(crate) hits: Vec<Hit>,
+    pub(crate) local: Vec<LocalHit>,
 }
 
 thread_local! {
@@ -102,7 +102,7 @@ thread_local! {
 pub(crate) struct Scratch(Option<Lists>);
 
 impl Scratch {
-    fn lists(&mut self) -> &mut Lists {
+    pub(crate) fn lists(&mut self) -> &mut Lists {
         self.0.get_or_insert_with(|| LISTS.take())
     }
 }

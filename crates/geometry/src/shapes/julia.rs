@@ -2,15 +2,17 @@
 //!
 //! A point of space is lifted to four numbers by the slice; it is inside if its orbit stays bounded for a number of
 //! steps. Rays march by an estimate of the distance to the set and halve the step where they cross its border.
-use raggio_math::{Aabb, Ray, Vec3, Vec4, poly};
+use raggio_math::{Aabb, Ray, Vec3, Vec4, poly, wide};
 use raggio_scene::{JuliaAlgebra, JuliaFunction};
 
-use super::collect::{Collect, searched_from};
+use super::beyond;
+use super::collect::{Collect, Enough, Nearest, searched_from};
 use super::hypercomplex::{self, Hypercomplex};
-use super::quaternion;
+use super::quaternion::{self, Ends, From, LANES, Lanes, Orbits};
 use crate::{LocalHit, Surface};
-use proved::{Proof, Proved};
+use proved::{Course, Proof, Proved};
 
+mod border;
 pub(super) mod proved;
 
 const LEAST: f64 = 1e-7;
@@ -66,13 +68,18 @@ struct Look {
     end: Option<(u32, f64)>,
 }
 
-/// A place on a ray near the border.
-#[derive(Clone, Copy)]
-struct Place {
-    t: f64,
-    inside: bool,
-    /// See [`Julia::level`]; not a number where it is unknown.
-    level: f64,
+/// A ray under way.
+struct Way<'a> {
+    ray: &'a Ray,
+    course: Option<(&'a Proved, Course)>,
+    /// What starts on the ray, for quaternions.
+    orbits: Orbits,
+    /// How far the next look is thought to be from one that is made.
+    gap: f64,
+    /// What has been seen where the march may come next: the first of the distances that it has not reached.
+    next: usize,
+    ahead: Lanes,
+    ends: Ends,
 }
 
 /// The radius of the ball around the origin that is known to hold a fractal.
@@ -158,11 +165,11 @@ impl Julia {
     }
 
     /// Is the ray inside at a distance, and how far can the march go?
-    #[inline]
-    fn look(&self, ray: &Ray, inverse: Vec3, t: f64) -> Look {
+    #[inline(always)]
+    fn look(&self, way: &mut Way, t: f64) -> Look {
         let step = self.least_step;
-        let Some(proved) = &self.proved else { return self.look_closely(ray, t) };
-        let (proof, until) = proved.at(ray, inverse, t);
+        let Some((proved, course)) = &way.course else { return self.look_closely(way, t) };
+        let (proof, until) = proved.at(course, t);
         match (proof, self.map.strides()) {
             (Proof::Inside, true) => {
                 let steps = ((until - t) / step).floor();
@@ -171,41 +178,49 @@ impl Julia {
             (Proof::Inside | Proof::Outside, false) => {
                 Look { inside: proof == Proof::Inside, until, step, end: None }
             }
-            _ => self.look_closely(ray, t),
+            _ => self.look_closely(way, t),
         }
     }
 
-    #[inline]
-    fn look_closely(&self, ray: &Ray, t: f64) -> Look {
-        let (p, dir) = (ray.at(t), ray.dir);
-        let q = self.lifted(p);
-        let mut end = None;
-        let (inside, estimate) = match self.map {
-            Map::Quaternion(power) => {
-                let (last, distance) = quaternion::orbit(power, q, self.parameter, self.steps, self.escape);
-                end = Some(last);
-                (distance.is_none(), distance.unwrap_or(self.least_step))
-            }
-            Map::Hypercomplex(map) => {
-                let start = Hypercomplex::from_vec(q);
-                match map.escape(start, self.hyper_parameter(), self.steps, self.escape) {
-                    None => (true, self.least_step),
-                    Some(orbit) => {
-                        let size = orbit.escaped.unwrap_or(self.escape);
-                        let newton = size / (-map.growth_scale() * orbit.growth(dir));
-                        let sane = self.least_step < newton && newton < 30.0 * self.least_step;
-                        (false, if sane { newton } else { self.least_step })
-                    }
-                }
+    #[inline(never)]
+    fn look_closely(&self, way: &mut Way, t: f64) -> Look {
+        match self.map {
+            Map::Quaternion(_) => self.look_ahead(way, t),
+            Map::Hypercomplex(map) => self.look_at(map, way.ray, t),
+        }
+    }
+
+    /// What is known at a distance, worked out together with what is known one and more least steps from there.
+    #[inline(always)]
+    fn look_ahead(&self, way: &mut Way, t: f64) -> Look {
+        let least = self.least_step;
+        if way.ahead.get(way.next) != Some(&t) {
+            let second = t + way.gap;
+            way.ahead = [t, second, second + least, second + least + least];
+            way.next = 0;
+            way.ends = wide(From(&way.orbits, way.ahead));
+        }
+        let lane = way.next;
+        way.next += 1;
+        let last = way.ends.last(lane);
+        let inside = last.0 == self.steps;
+        let step = if inside { least } else { way.ends.distance(lane, least) };
+        Look { inside, until: t, step, end: Some(last) }
+    }
+
+    fn look_at(&self, map: hypercomplex::Map, ray: &Ray, t: f64) -> Look {
+        let start = Hypercomplex::from_vec(self.lifted(ray.at(t)));
+        let least = self.least_step;
+        let (inside, step) = match map.escape(start, self.hyper_parameter(), self.steps, self.escape) {
+            None => (true, least),
+            Some(orbit) => {
+                let size = orbit.escaped.unwrap_or(self.escape);
+                let newton = size / (-map.growth_scale() * orbit.growth(ray.dir));
+                let sane = least < newton && newton < 30.0 * least;
+                (false, if sane { newton } else { least })
             }
         };
-        // A step that is not a number becomes the least one.
-        Look {
-            inside,
-            until: t,
-            step: if estimate > self.least_step { estimate } else { self.least_step },
-            end,
-        }
+        Look { inside, until: t, step, end: None }
     }
 
     /// The part of a ray in the ball and the box that hold the set, not before its start.
@@ -220,25 +235,45 @@ impl Julia {
         Some((if self.map.strides() { enter } else { enter.max(from) }, leave.min(to)))
     }
 
+    fn way<'a>(&'a self, ray: &'a Ray) -> Way<'a> {
+        Way {
+            ray,
+            course: self.proved.as_ref().map(|proved| (proved, proved.course(ray))),
+            orbits: Orbits {
+                power: if let Map::Quaternion(power) = self.map { power } else { quaternion::Power::Square },
+                line: [self.lifted(ray.origin), ray.dir.extend(-self.along.dot(ray.dir))],
+                parameter: self.parameter,
+                steps: self.steps,
+                escape: self.escape,
+            },
+            gap: self.least_step,
+            next: LANES,
+            ahead: [0.0; LANES],
+            ends: Ends::NONE,
+        }
+    }
+
     fn search(&self, ray: &Ray, to: &mut impl Collect) {
         let Some((mut t, leave)) = self.span(ray) else { return };
         if t >= leave {
             return;
         }
-        let inverse = ray.dir.recip();
-        let clear = |t: f64| match &self.proved {
-            Some(proved) if self.map.strides() => proved.outside_until(ray, inverse, t, leave),
+        let way = &mut self.way(ray);
+        let clear = |way: &Way, t: f64| match &way.course {
+            Some((proved, course)) if self.map.strides() => proved.outside_until(course, t, leave),
             _ => Some(t),
         };
-        let Some(mut outside_until) = clear(t) else { return };
-        let mut now = self.look(ray, inverse, t);
+        let Some(mut outside_until) = clear(way, t) else { return };
+        way.gap = 2.0 * FINE;
+        let mut now = self.look(way, t);
         if now.inside {
-            t += 2.0 * FINE;
-            now = self.look(ray, inverse, t);
+            t += way.gap;
+            now = self.look(way, t);
         }
+        way.gap = self.least_step;
         while now.until < leave && now.until < to.range().1 {
             if now.until > outside_until {
-                match clear(now.until) {
+                match clear(way, now.until) {
                     Some(until) => outside_until = until,
                     None => return,
                 }
@@ -248,64 +283,27 @@ impl Julia {
             if next <= now.until {
                 return;
             }
-            let seen = self.look(ray, inverse, next);
-            if seen.inside != now.inside {
-                to.push(LocalHit::at(self.border(ray, self.place(&now, now.until), self.place(&seen, next))));
+            let seen = self.look(way, next);
+            if seen.inside != now.inside && !to.settles(now.until, next) {
+                let (near, far) = (now.until, next);
+                let (near, far) =
+                    (self.place(near, now.end, now.inside), self.place(far, seen.end, seen.inside));
+                to.push(LocalHit::at(self.border(way, near, far)));
             }
             now = seen;
         }
     }
 
-    fn place(&self, look: &Look, t: f64) -> Place {
-        Place { t, inside: look.inside, level: look.end.map_or(f64::NAN, |end| self.level(end)) }
-    }
-
-    /// How far an orbit that ended in this way is from escaping just at the last step: the logarithm of its size against
-    /// the one at which it would. Sizes after it has escaped are told from its growth, for some steps.
-    fn level(&self, (step, size2): (u32, f64)) -> f64 {
-        let beyond = self.steps.saturating_sub(step + 1);
-        let growth = match self.map {
-            _ if beyond == 0 => 1.0,
-            Map::Quaternion(power) if beyond <= 2 => power.degree().powi(beyond as i32),
-            Map::Hypercomplex(hypercomplex::Map::Square) if beyond <= 2 => 2f64.powi(beyond as i32),
-            _ => return f64::NAN,
-        };
-        growth * size2.ln() - self.escape.ln()
-    }
-
-    /// The border between two distances, just on its inner side. Near the border orbits escape at the last step or not
-    /// at all, and the size there tells where between two points it is.
-    fn border(&self, ray: &Ray, near: Place, far: Place) -> f64 {
-        let (mut a, mut b) = (near, far);
-        let mut share = 0.5;
-        while (b.t - a.t).abs() > FINE {
-            let t = a.t + share * (b.t - a.t);
-            if t == a.t || t == b.t {
-                break;
-            }
-            let (end, left) = (self.last_size(ray.at(t)), a);
-            a = Place { t, inside: end.0 == self.steps, level: self.level(end) };
-            let left = if a.inside == left.inside { left } else { std::mem::replace(&mut b, left) };
-            share = Place::share(a, b, left);
-        }
-        if a.inside { a.t } else { b.t }
-    }
-}
-
-impl Place {
-    /// At which part of the way from `a` to `b`, with the border between, it had best be looked for; `c` was given up
-    /// before. Half way, unless the parabola through all three is to be trusted (Chandrupatla 1997); then far enough from
-    /// either end that the border is soon enclosed.
-    fn share(a: Place, b: Place, c: Place) -> f64 {
-        let (xi, phi) = ((a.t - b.t) / (c.t - b.t), (a.level - b.level) / (c.level - b.level));
-        if !(phi * phi < xi && (1.0 - phi) * (1.0 - phi) < 1.0 - xi) {
-            return 0.5;
-        }
-        let (ab, ac, bc) = (b.level - a.level, c.level - a.level, c.level - b.level);
-        let share =
-            (c.t - a.t) / (b.t - a.t) * (a.level / ac) * (b.level / bc) - (a.level / ab) * (c.level / bc);
-        let nudge = 0.4 * FINE / (b.t - a.t).abs();
-        (share + nudge.copysign(0.5 - share)).max(nudge).min(1.0 - nudge)
+    /// The nearest hit, or one at about the place of any that `stops` says yes to.
+    pub(super) fn closest_or(
+        &self,
+        ray: &Ray,
+        range: (f64, f64),
+        stops: impl FnMut(&LocalHit) -> bool,
+    ) -> Option<LocalHit> {
+        let mut enough = Enough { nearest: Nearest::new(beyond(range, LEAST)), stops };
+        self.search(ray, &mut enough);
+        enough.nearest.best()
     }
 }
 
@@ -355,16 +353,45 @@ mod tests {
         for k in 0..64_000 {
             let p = Vec3::new(f64::from(k % 40), f64::from(k / 40 % 40), f64::from(k / 1600));
             let p = (p / 19.5 - Vec3::ONE) * julia.radius;
-            let (proof, _) = proved.at(&Ray::new(p, Vec3::X), Vec3::INFINITY, 0.0);
-            match proof {
-                Proof::Open => {}
-                _ => assert_eq!(proof == Proof::Inside, julia.stays(p), "{p} {proof:?}"),
+            let ray = Ray::new(p, Vec3::new(0.48, -0.6, 0.64));
+            let (proof, until) = proved.at(&proved.course(&ray), 0.0);
+            for t in [0.0, 0.3, 0.7, 1.0].map(|share| share * until) {
+                let (p, same) = (ray.at(t), |stays| (proof == Proof::Inside) == stays);
+                assert!(proof == Proof::Open || same(julia.stays(p)), "{p} {proof:?}");
             }
             insides += u32::from(proof == Proof::Inside);
             outsides += u32::from(proof == Proof::Outside);
             assert!(!julia.stays(p) || proved.hull.contains(p), "{p} is not in the hull");
         }
         assert!(outsides > 30_000 && insides > 50, "only {outsides} and {insides} are proved");
+    }
+
+    /// Orbits followed together end as they do one by one.
+    #[test]
+    fn orbits_together_end_as_alone() {
+        for function in [JuliaFunction::Sqr, JuliaFunction::Cube] {
+            let julia = Julia::new(&raggio_scene::Julia {
+                algebra: JuliaAlgebra::Quaternion,
+                function,
+                parameter: [-0.083, 0.1, -0.83, -0.025],
+                max_iteration: 8,
+                precision: 20.0,
+                slice: [0.1, 0.3, -0.2, 0.9],
+                slice_distance: 0.05,
+            });
+            let mut seen = [0; 9];
+            for k in 0..400 {
+                let ray = Ray::new(Vec3::new(f64::from(k) / 200.0 - 1.0, 0.3, -2.0), Vec3::Z);
+                let t = [0, 1, 2, 3].map(|lane| 0.7 + f64::from(k % 20) / 50.0 + 0.37 * f64::from(lane));
+                for (t, end) in t.into_iter().zip(julia.ends(&julia.way(&ray), t)) {
+                    let alone = julia.last_size(ray.at(t));
+                    assert_eq!(end.0, alone.0, "{t}");
+                    assert!((end.1 - alone.1).abs() < 1e-9 * alone.1, "{t} {end:?} {alone:?}");
+                    seen[end.0 as usize] += 1;
+                }
+            }
+            assert!(seen[1] > 50 && seen[4] > 10 && seen[8] > 20, "{seen:?}");
+        }
     }
 
     #[test]

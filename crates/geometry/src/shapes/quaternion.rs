@@ -1,5 +1,5 @@
 //! Orbits of quaternions under squares and cubes, for Julia fractals.
-use raggio_math::{Vec3, Vec4};
+use raggio_math::{Vec3, Vec4, Wide};
 
 use super::julia::proved::Proof;
 
@@ -56,43 +56,120 @@ impl Power {
     }
 }
 
-/// [`last_size`], with a lower estimate of the distance to the set where the orbit escapes (Hart, Sandin and Kauffman,
-/// 1989).
-#[inline]
-pub(crate) fn orbit(power: Power, q: Vec4, c: Vec4, steps: u32, escape: f64) -> ((u32, f64), Option<f64>) {
-    let mut product2 = 1.0;
-    let (step, size2) = match power {
-        Power::Square => follow(Power::Square, q, c, (steps, escape), |f| product2 *= f),
-        Power::Cube => follow(Power::Cube, q, c, (steps, escape), |f| product2 *= f),
-    };
-    let distance = || 0.25 * (size2 / product2).sqrt() * size2.ln();
-    ((step, size2), (step < steps).then(distance))
+/// How many orbits are followed at once.
+pub(crate) const LANES: usize = 4;
+/// A number for each of some orbits.
+pub(crate) type Lanes = [f64; LANES];
+
+/// Orbits that start on a line.
+pub(crate) struct Orbits {
+    pub(crate) power: Power,
+    /// The number at the line's beginning, and the change along it.
+    pub(crate) line: [Vec4; 2],
+    pub(crate) parameter: Vec4,
+    pub(crate) steps: u32,
+    pub(crate) escape: f64,
+}
+
+/// How some orbits end.
+#[derive(Clone, Copy)]
+pub(crate) struct Ends {
+    /// The steps at which they escape, or all steps.
+    step: [u64; LANES],
+    /// The squared sizes last looked at.
+    size2: Lanes,
+    /// The squares of the sizes of the derivatives there.
+    slope2: Lanes,
+}
+
+impl Ends {
+    pub(crate) const NONE: Ends = Ends { step: [0; LANES], size2: [0.0; LANES], slope2: [1.0; LANES] };
+
+    /// The step at which an orbit escapes, or the number of steps, and the squared size last looked at.
+    #[inline(always)]
+    pub(crate) fn last(&self, lane: usize) -> (u32, f64) {
+        (self.step[lane] as u32, self.size2[lane])
+    }
+
+    /// A lower estimate of the distance to the set from where an orbit that escapes started (Hart, Sandin and Kauffman,
+    /// 1989), if that is more than `least`.
+    #[inline(always)]
+    pub(crate) fn distance(&self, lane: usize, least: f64) -> f64 {
+        let (size2, slope2) = (self.size2[lane], self.slope2[lane]);
+        // The logarithm is less than the square root.
+        if size2 * size2 < 16.0 * least * least * slope2 {
+            return least;
+        }
+        let distance = 0.25 * (size2 / slope2).sqrt() * size2.ln();
+        if distance > least { distance } else { least }
+    }
+}
+
+/// The orbits from some places on their line.
+pub(crate) struct From<'a>(pub(crate) &'a Orbits, pub(crate) Lanes);
+
+impl Wide for From<'_> {
+    type Output = Ends;
+
+    #[inline(always)]
+    fn run(self) -> Ends {
+        match self.0.power {
+            Power::Square => self.follow(Power::Square),
+            Power::Cube => self.follow(Power::Cube),
+        }
+    }
+}
+
+impl From<'_> {
+    #[inline(always)]
+    fn follow(self, power: Power) -> Ends {
+        let From(&Orbits { line: [from, along], parameter: c, steps, escape, .. }, t) = self;
+        let [mut x, mut y, mut z, mut w] = [[0.0; LANES]; 4];
+        for k in 0..LANES {
+            let q = from + along * t[k];
+            (x[k], y[k], z[k], w[k]) = (q.x, q.y, q.z, q.w);
+        }
+        let mut ends = Ends::NONE;
+        // All bits of those that have not escaped.
+        let mut bound = [u64::MAX; LANES];
+        let choose = |mask: u64, a: f64, b: f64| f64::from_bits(a.to_bits() & mask | b.to_bits() & !mask);
+        for _ in 0..steps {
+            for k in 0..LANES {
+                let size2 = x[k] * x[k] + y[k] * y[k] + z[k] * z[k] + w[k] * w[k];
+                ends.size2[k] = choose(bound[k], size2, ends.size2[k]);
+                bound[k] &= if size2 <= escape { u64::MAX } else { 0 };
+                ends.step[k] = ends.step[k].wrapping_sub(bound[k]);
+                ends.slope2[k] *= choose(bound[k], power.degree() * power.degree() * size2, 1.0);
+            }
+            if bound == [0; LANES] {
+                break;
+            }
+            for k in 0..LANES {
+                let q = power.of(Vec4::new(x[k], y[k], z[k], w[k])) + c;
+                (x[k], y[k], z[k], w[k]) = (q.x, q.y, q.z, q.w);
+            }
+        }
+        ends
+    }
 }
 
 /// The step at which the orbit escapes, or `steps`, and the squared size of the last number that was looked at.
 pub(crate) fn last_size(power: Power, q: Vec4, c: Vec4, steps: u32, escape: f64) -> (u32, f64) {
     match power {
-        Power::Square => follow(Power::Square, q, c, (steps, escape), |_| ()),
-        Power::Cube => follow(Power::Cube, q, c, (steps, escape), |_| ()),
+        Power::Square => follow(Power::Square, q, c, (steps, escape)),
+        Power::Cube => follow(Power::Cube, q, c, (steps, escape)),
     }
 }
 
-/// [`last_size`] of one power. `each` gets the squares of the sizes of the derivatives of the steps before.
+/// [`last_size`] of one power.
 #[inline(always)]
-fn follow(
-    power: Power,
-    mut q: Vec4,
-    c: Vec4,
-    (steps, escape): (u32, f64),
-    mut each: impl FnMut(f64),
-) -> (u32, f64) {
+fn follow(power: Power, mut q: Vec4, c: Vec4, (steps, escape): (u32, f64)) -> (u32, f64) {
     let mut size2 = 0.0;
     for k in 0..steps {
         size2 = q.length_squared();
         if size2.is_nan() || size2 > escape {
             return (k, size2);
         }
-        each(power.degree() * power.degree() * size2);
         q = power.of(q) + c;
     }
     (steps, size2)
