@@ -7,6 +7,7 @@ use raggio_math::{EPS, Vec3, noise};
 use raggio_scene::{Finish, Irid};
 
 use super::Tracer;
+use super::lobes::Lobes;
 use super::surface::SurfacePoint;
 use crate::lights::LightSource;
 
@@ -84,7 +85,7 @@ impl Tracer<'_> {
         if light.abs().max_element() <= EPS as f32 {
             return Rgb::ZERO;
         }
-        let sum = self.answer(lit, light, (&path.dir, cosine), back, !source.shadowless);
+        let sum = self.answer(lit, light, (&path.dir, cosine), back, !source.shadowless, f32::powf);
         self.iridescent(point, lit, &path.dir, sum)
     }
 
@@ -118,7 +119,7 @@ impl Tracer<'_> {
             let cosine = lit.n.dot(path.dir);
             let Some(back) = facing(point, lit, cosine) else { continue };
             let light = each * source.attenuation(p, &path, from) as f32;
-            let answer = self.answer(lit, light, (&path.dir, cosine), back, !source.shadowless);
+            let answer = self.answer(lit, light, (&path.dir, cosine), back, !source.shadowless, f32::powf);
             sum += self.iridescent(point, lit, &path.dir, answer);
         }
         sum
@@ -132,19 +133,22 @@ impl Tracer<'_> {
         n: Vec3,
         (rgb, opacity): (Rgb, f32),
         lights: impl Iterator<Item = (Vec3, Rgb)>,
+        lobes: &mut Lobes,
     ) -> Rgb {
+        lobes.begin(finish.brilliance);
         let lit = Lit::new(point, finish, &n, &rgb, opacity);
         let mut sum = Rgb::ZERO;
         for (dir, light) in lights {
             let cosine = n.dot(dir);
             if let Some(back) = facing(point, &lit, cosine) {
-                sum += self.answer(&lit, light, (&dir, cosine), back, true);
+                sum += self.answer(&lit, light, (&dir, cosine), back, true, |cosine, _| lobes.power(cosine));
             }
         }
         sum
     }
 
-    /// Diffuse light and, from `shiny` lights, highlights for light from a direction with its cosine.
+    /// Diffuse light and, from `shiny` lights, highlights for light from a direction with its cosine. `power` raises
+    /// cosines to the finish's `brilliance`.
     #[inline(always)]
     fn answer(
         &mut self,
@@ -153,13 +157,14 @@ impl Tracer<'_> {
         (dir, cosine): (&Vec3, f64),
         back: bool,
         shiny: bool,
+        power: impl FnOnce(f32, f32) -> f32,
     ) -> Rgb {
         let finish = lit.finish;
         let mut sum = Rgb::ZERO;
         let diffuse = if back { finish.diffuse_back } else { finish.diffuse };
         if diffuse > 0.0 {
             let facing = cosine.abs() as f32;
-            let lobe = if finish.brilliance == 1.0 { facing } else { facing.powf(finish.brilliance) };
+            let lobe = if finish.brilliance == 1.0 { facing } else { power(facing, finish.brilliance) };
             let mut intensity = lobe * diffuse * lit.opacity;
             if finish.crand > 0.0 {
                 intensity -= self.streams.numbers().crand.next() as f32 * finish.crand;

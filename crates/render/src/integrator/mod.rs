@@ -3,6 +3,7 @@ mod dispersion;
 mod footprint;
 mod interiors;
 mod layers;
+pub(crate) mod lobes;
 mod local;
 pub(crate) mod reflection;
 pub(crate) mod refraction;

@@ -72,6 +72,11 @@ impl MediaList {
     pub fn is_empty(&self) -> bool {
         self.media.is_empty()
     }
+
+    /// Do samples lie at random in any of it?
+    pub fn is_random(&self) -> bool {
+        self.media.iter().any(|m| m.sampling.method != 3 || m.sampling.jitter != 0.0)
+    }
 }
 
 impl Medium {
@@ -249,11 +254,14 @@ impl Tracer<'_> {
     }
 }
 
-/// Of each part; what is clear stays clear at no cost.
+/// Of each part; what is clear stays clear at no cost, and grey takes one look.
 #[inline]
 fn exp(v: Rgb) -> Rgb {
     if v == Rgb::ZERO {
         return Rgb::ONE;
+    }
+    if v.x == v.y && v.y == v.z {
+        return Rgb::splat(v.x.exp());
     }
     Rgb::new(v.x.exp(), v.y.exp(), v.z.exp())
 }

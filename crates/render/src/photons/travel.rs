@@ -59,11 +59,15 @@ impl Tracer<'_> {
             return;
         }
         let world = self.world;
-        let range = (MIN_HIT, beam.reach);
-        let Some(hit) = world.geometry.closest(&beam.ray, range, beam.class) else { return };
+        let before_target = self.level == 0 || flight.straight;
+        let reach = match before_target {
+            true => flight.pair.target_within(&beam.ray, beam.reach),
+            false => Some(beam.reach),
+        };
+        let Some(reach) = reach else { return };
+        let Some(hit) = world.geometry.closest(&beam.ray, (MIN_HIT, reach), beam.class) else { return };
         let surface = world.geometry.interaction(&beam.ray, &hit);
         let material = world.material(&surface);
-        let before_target = self.level == 0 || flight.straight;
         let target = flight.pair.target.owns(material, &beam.ray, &hit);
         if before_target && target {
             landed.touched = true;
