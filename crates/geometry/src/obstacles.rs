@@ -28,7 +28,7 @@ pub struct BlockerGuess {
 
 /// A shadow ray under way.
 struct Way<'a> {
-    probe: &'a Probe,
+    probe: &'a Probe<'a>,
     range: (f64, f64),
     /// Of one object's surfaces nearer to each other than this only the first is met.
     gap: f64,
@@ -110,7 +110,7 @@ impl Geometry {
         }
         let group = match member.node.node() {
             Node::Leaf(leaf) => {
-                return self.leaf_stops(leaf, &way.probe.ray, way.range, way.gap, obstacles);
+                return self.leaf_stops(leaf, way.probe.ray, way.range, way.gap, obstacles);
             }
             Node::Group(group) => &self.tree.groups[group as usize],
         };
@@ -191,7 +191,7 @@ impl Geometry {
     ) -> Option<bool> {
         let mut hits: SmallVec<[Hit; 6]> = SmallVec::new();
         let mut stopped = false;
-        let ray = &way.probe.ray;
+        let ray = way.probe.ray;
         solid.sweep(&self.tree, group, way.probe, way.range, |end| {
             stopped = obstacles.stops(end.leaf());
             if !stopped {

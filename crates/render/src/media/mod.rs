@@ -215,13 +215,12 @@ impl Tracer<'_> {
     ) {
         let media: Joined<'_> = lists.iter().flat_map(|list| &list.media).collect();
         let Some(leader) = leader(&media) else { return };
-        let lights = ranges(self.world, &beam.ray, depth, lights);
+        let lights = ranges(self.world, beam.ray, depth, lights);
         let intervals = intervals(&pieces(&lights, depth), leader);
-        let along = Along { lights, shadow: false, ..Along::new(media, leader, beam.ray, beam.interiors) };
+        let along = Along { lights, shadow: false, ..Along::new(media, leader, *beam.ray, beam.interiors) };
         let (glow, depth) = self.integrate(&along, intervals);
         let left = exp(-depth);
-        seen.rgb = seen.rgb * left + glow;
-        seen.transmit *= grey(left);
+        *seen = Seen::new(seen.rgb() * left + glow, seen.transmit() * grey(left));
     }
 
     /// What the media of a shadow ray's interiors leave of light over a segment.

@@ -298,7 +298,7 @@ impl Shooter<'_> {
         }
         let interiors: Interiors = self.world.geometry.interiors_at(ray.origin);
         let beam = Beam {
-            ray,
+            ray: &ray,
             interiors: &interiors,
             weight: 1.0,
             class: RayClass::Photon,
