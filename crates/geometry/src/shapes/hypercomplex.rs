@@ -8,6 +8,7 @@ use raggio_math::{Vec3, Vec4};
 use raggio_scene::JuliaFunction;
 
 use super::julia::proved::Proof;
+use super::julia::together::{Ends, LANES, Lanes, Orbits, choose};
 
 /// A complex number.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -289,6 +290,55 @@ fn last_size(
         q = q.each(&map).with(c, |a, b| a + b);
     }
     (steps, size2)
+}
+
+/// [`orbit`] of some squares together, with how fast half the squared sizes grow along the ray.
+#[inline(always)]
+pub(crate) fn follow_squares(orbits: &Orbits, t: Lanes) -> Ends {
+    let Orbits { line: [from, along], steps, escape, .. } = *orbits;
+    let c = Hypercomplex::from_vec(orbits.parameter);
+    let direction = Hypercomplex::from_vec(along.truncate().extend(0.0));
+    // The parts of the numbers and of the products, one after the other.
+    let [mut re, mut im] = [[[0.0; LANES]; 2]; 2];
+    for k in 0..LANES {
+        let q = Hypercomplex::from_vec(from + along * t[k]);
+        (re[0][k], re[1][k], im[0][k], im[1][k]) = (q.re[0], q.re[1], q.im[0], q.im[1]);
+    }
+    let (mut product_re, mut product_im) = (re, im);
+    let mut ends = Ends::NONE;
+    let mut bound = [u64::MAX; LANES];
+    for step in 0..steps {
+        for k in 0..LANES {
+            let half = |part: usize| 0.5 * (re[part][k] * re[part][k] + im[part][k] * im[part][k]);
+            ends.look(k, &mut bound, half(0) + half(1), escape);
+        }
+        if bound == [0; LANES] {
+            break;
+        }
+        for part in 0..2 {
+            let (c_re, c_im) = (c.re[part], c.im[part]);
+            for k in 0..LANES {
+                let (q, p) = ((re[part][k], im[part][k]), (product_re[part][k], product_im[part][k]));
+                let (twice_re, twice_im) = (2.0 * q.0, 2.0 * q.1);
+                if step > 0 {
+                    product_re[part][k] = choose(bound[k], p.0 * twice_re - p.1 * twice_im, p.0);
+                    product_im[part][k] = choose(bound[k], p.0 * twice_im + p.1 * twice_re, p.1);
+                }
+                re[part][k] = choose(bound[k], q.0 * q.0 - q.1 * q.1 + c_re, q.0);
+                im[part][k] = choose(bound[k], q.0 * q.1 + q.1 * q.0 + c_im, q.1);
+            }
+        }
+    }
+    for k in 0..LANES {
+        let growth = |part: usize| {
+            let (p_re, p_im) = (product_re[part][k], product_im[part][k]);
+            let (d_re, d_im) = (direction.re[part], direction.im[part]);
+            let (grown_re, grown_im) = (p_re * d_re - p_im * d_im, p_re * d_im + p_im * d_re);
+            0.5 * (re[part][k] * grown_re + im[part][k] * grown_im)
+        };
+        ends.slope[k] = growth(0) + growth(1);
+    }
+    ends
 }
 
 /// [`Map::proof`] of a map with what it makes of a radius around a number of some size.

@@ -8,12 +8,14 @@ use raggio_scene::{JuliaAlgebra, JuliaFunction};
 use super::beyond;
 use super::collect::{Collect, Enough, Nearest, searched_from};
 use super::hypercomplex::{self, Hypercomplex};
-use super::quaternion::{self, Ends, From, LANES, Lanes, Orbits};
+use super::quaternion;
 use crate::{LocalHit, Surface};
 use proved::{Course, Proof, Proved};
+use together::{Ends, From, LANES, Lanes, Law, Orbits};
 
 mod border;
 pub(super) mod proved;
+pub(super) mod together;
 
 const LEAST: f64 = 1e-7;
 /// Borders are found to this.
@@ -50,6 +52,16 @@ impl Map {
         !matches!(self, Map::Hypercomplex(hypercomplex::Map::Function(_)))
     }
 
+    /// What its orbits repeat if they are followed together; or the map whose orbits are not.
+    #[inline(always)]
+    fn law(self) -> Result<Law, hypercomplex::Map> {
+        match self {
+            Map::Quaternion(power) => Ok(Law::Quaternions(power)),
+            Map::Hypercomplex(hypercomplex::Map::Square) => Ok(Law::Squares),
+            Map::Hypercomplex(map) => Err(map),
+        }
+    }
+
     /// Does the march take the very steps of POV-Ray, on which it depends what thin parts are met? Those of quaternions
     /// are too short for that to matter.
     fn strides(self) -> bool {
@@ -64,16 +76,19 @@ struct Look {
     until: f64,
     /// How far the march may go from there.
     step: f64,
-    /// The step at which the orbit escapes and its squared size there, where they were looked at.
-    end: Option<(u32, f64)>,
+    /// The step at which the orbit escapes and its squared size there.
+    end: (u32, f64),
 }
+
+/// The end of an orbit that was not looked at.
+const UNSEEN: (u32, f64) = (0, f64::NAN);
 
 /// A ray under way.
 struct Way<'a> {
     ray: &'a Ray,
     course: Option<(&'a Proved, Course)>,
-    /// What starts on the ray, for quaternions.
-    orbits: Orbits,
+    /// What starts on the ray, for maps whose orbits are followed together.
+    orbits: Option<Orbits>,
     /// How far the next look is thought to be from one that is made.
     gap: f64,
     /// What has been seen where the march may come next: the first of the distances that it has not reached.
@@ -173,54 +188,63 @@ impl Julia {
         match (proof, self.map.strides()) {
             (Proof::Inside, true) => {
                 let steps = ((until - t) / step).floor();
-                Look { inside: true, until: t + steps * step, step, end: None }
+                Look { inside: true, until: t + steps * step, step, end: UNSEEN }
             }
             (Proof::Inside | Proof::Outside, false) => {
-                Look { inside: proof == Proof::Inside, until, step, end: None }
+                Look { inside: proof == Proof::Inside, until, step, end: UNSEEN }
             }
             _ => self.look_closely(way, t),
         }
     }
 
-    #[inline(never)]
-    fn look_closely(&self, way: &mut Way, t: f64) -> Look {
-        match self.map {
-            Map::Quaternion(_) => self.look_ahead(way, t),
-            Map::Hypercomplex(map) => self.look_at(map, way.ray, t),
-        }
-    }
-
-    /// What is known at a distance, worked out together with what is known one and more least steps from there.
     #[inline(always)]
-    fn look_ahead(&self, way: &mut Way, t: f64) -> Look {
-        let least = self.least_step;
+    fn look_closely(&self, way: &mut Way, t: f64) -> Look {
+        let law = match self.map.law() {
+            Ok(law) => law,
+            Err(map) => return self.look_at(map, way.ray, t),
+        };
         if way.ahead.get(way.next) != Some(&t) {
-            let second = t + way.gap;
-            way.ahead = [t, second, second + least, second + least + least];
-            way.next = 0;
-            way.ends = wide(From(&way.orbits, way.ahead));
+            self.look_ahead(way, t);
         }
-        let lane = way.next;
+        let (lane, least) = (way.next, self.least_step);
         way.next += 1;
-        let last = way.ends.last(lane);
-        let inside = last.0 == self.steps;
-        let step = if inside { least } else { way.ends.distance(lane, least) };
-        Look { inside, until: t, step, end: Some(last) }
+        let (end, slope) = (way.ends.last(lane), way.ends.slope[lane]);
+        let inside = end.0 == self.steps;
+        let step = match law {
+            _ if inside => least,
+            Law::Quaternions(_) => quaternion::distance(end.1, slope, least),
+            Law::Squares => self.newton(hypercomplex::Map::Square, end.1, slope),
+        };
+        Look { inside, until: t, step, end }
     }
 
+    /// Works out what is known at a distance, together with what is known one and more least steps from there.
+    #[inline(never)]
+    fn look_ahead(&self, way: &mut Way, t: f64) {
+        let Some(orbits) = &way.orbits else { return };
+        let (second, least) = (t + way.gap, self.least_step);
+        way.ahead = [t, second, second + least, second + least + least];
+        way.next = 0;
+        way.ends = wide(From(orbits, way.ahead));
+    }
+
+    /// POV-Ray's step from where an orbit escapes.
+    #[inline(always)]
+    fn newton(&self, map: hypercomplex::Map, size2: f64, growth: f64) -> f64 {
+        let (step, least) = (size2 / (-map.growth_scale() * growth), self.least_step);
+        if least < step && step < 30.0 * least { step } else { least }
+    }
+
+    #[inline(never)]
     fn look_at(&self, map: hypercomplex::Map, ray: &Ray, t: f64) -> Look {
         let start = Hypercomplex::from_vec(self.lifted(ray.at(t)));
-        let least = self.least_step;
         let (inside, step) = match map.escape(start, self.hyper_parameter(), self.steps, self.escape) {
-            None => (true, least),
+            None => (true, self.least_step),
             Some(orbit) => {
-                let size = orbit.escaped.unwrap_or(self.escape);
-                let newton = size / (-map.growth_scale() * orbit.growth(ray.dir));
-                let sane = least < newton && newton < 30.0 * least;
-                (false, if sane { newton } else { least })
+                (false, self.newton(map, orbit.escaped.unwrap_or(self.escape), orbit.growth(ray.dir)))
             }
         };
-        Look { inside, until: t, step, end: None }
+        Look { inside, until: t, step, end: UNSEEN }
     }
 
     /// The part of a ray in the ball and the box that hold the set, not before its start.
@@ -236,16 +260,12 @@ impl Julia {
     }
 
     fn way<'a>(&'a self, ray: &'a Ray) -> Way<'a> {
+        let line = [self.lifted(ray.origin), ray.dir.extend(-self.along.dot(ray.dir))];
+        let (parameter, steps, escape) = (self.parameter, self.steps, self.escape);
         Way {
             ray,
             course: self.proved.as_ref().map(|proved| (proved, proved.course(ray))),
-            orbits: Orbits {
-                power: if let Map::Quaternion(power) = self.map { power } else { quaternion::Power::Square },
-                line: [self.lifted(ray.origin), ray.dir.extend(-self.along.dot(ray.dir))],
-                parameter: self.parameter,
-                steps: self.steps,
-                escape: self.escape,
-            },
+            orbits: self.map.law().ok().map(|law| Orbits { law, line, parameter, steps, escape }),
             gap: self.least_step,
             next: LANES,
             ahead: [0.0; LANES],
@@ -264,10 +284,13 @@ impl Julia {
             _ => Some(t),
         };
         let Some(mut outside_until) = clear(way, t) else { return };
-        way.gap = 2.0 * FINE;
+        // Only from within the ball can it start inside.
+        if t <= FINE {
+            way.gap = 2.0 * FINE;
+        }
         let mut now = self.look(way, t);
         if now.inside {
-            t += way.gap;
+            t += 2.0 * FINE;
             now = self.look(way, t);
         }
         way.gap = self.least_step;
@@ -369,9 +392,11 @@ mod tests {
     /// Orbits followed together end as they do one by one.
     #[test]
     fn orbits_together_end_as_alone() {
-        for function in [JuliaFunction::Sqr, JuliaFunction::Cube] {
+        use JuliaAlgebra::{Hypercomplex, Quaternion};
+        use JuliaFunction::{Cube, Sqr};
+        for (algebra, function) in [(Quaternion, Sqr), (Quaternion, Cube), (Hypercomplex, Sqr)] {
             let julia = Julia::new(&raggio_scene::Julia {
-                algebra: JuliaAlgebra::Quaternion,
+                algebra,
                 function,
                 parameter: [-0.083, 0.1, -0.83, -0.025],
                 max_iteration: 8,
@@ -388,9 +413,15 @@ mod tests {
                     assert_eq!(end.0, alone.0, "{t}");
                     assert!((end.1 - alone.1).abs() < 1e-9 * alone.1, "{t} {end:?} {alone:?}");
                     seen[end.0 as usize] += 1;
+                    if algebra == Hypercomplex {
+                        let together = julia.look_closely(&mut julia.way(&ray), t);
+                        let alone = julia.look_at(hypercomplex::Map::Square, &ray, t);
+                        assert_eq!(together.inside, alone.inside);
+                        assert!((together.step - alone.step).abs() < 1e-9, "{t} {}", together.step);
+                    }
                 }
             }
-            assert!(seen[1] > 50 && seen[4] > 10 && seen[8] > 20, "{seen:?}");
+            assert!(seen[8] > 20 && seen.iter().filter(|&&n| n > 20).count() > 3, "{seen:?}");
         }
     }
 

@@ -1,7 +1,8 @@
 //! Orbits of quaternions under squares and cubes, for Julia fractals.
-use raggio_math::{Vec3, Vec4, Wide};
+use raggio_math::{Vec3, Vec4};
 
 use super::julia::proved::Proof;
+use super::julia::together::{Ends, LANES, Lanes, Orbits, choose};
 
 /// What the map does before it adds the parameter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,101 +57,46 @@ impl Power {
     }
 }
 
-/// How many orbits are followed at once.
-pub(crate) const LANES: usize = 4;
-/// A number for each of some orbits.
-pub(crate) type Lanes = [f64; LANES];
-
-/// Orbits that start on a line.
-pub(crate) struct Orbits {
-    pub(crate) power: Power,
-    /// The number at the line's beginning, and the change along it.
-    pub(crate) line: [Vec4; 2],
-    pub(crate) parameter: Vec4,
-    pub(crate) steps: u32,
-    pub(crate) escape: f64,
-}
-
-/// How some orbits end.
-#[derive(Clone, Copy)]
-pub(crate) struct Ends {
-    /// The steps at which they escape, or all steps.
-    step: [u64; LANES],
-    /// The squared sizes last looked at.
-    size2: Lanes,
-    /// The squares of the sizes of the derivatives there.
-    slope2: Lanes,
-}
-
-impl Ends {
-    pub(crate) const NONE: Ends = Ends { step: [0; LANES], size2: [0.0; LANES], slope2: [1.0; LANES] };
-
-    /// The step at which an orbit escapes, or the number of steps, and the squared size last looked at.
-    #[inline(always)]
-    pub(crate) fn last(&self, lane: usize) -> (u32, f64) {
-        (self.step[lane] as u32, self.size2[lane])
+/// [`last_size`] of some orbits together, with the squares of the sizes of the derivatives.
+#[inline(always)]
+pub(crate) fn follow_all(power: Power, orbits: &Orbits, t: Lanes) -> Ends {
+    let Orbits { line: [from, along], parameter: c, steps, escape, .. } = *orbits;
+    let [mut x, mut y, mut z, mut w] = [[0.0; LANES]; 4];
+    for k in 0..LANES {
+        let q = from + along * t[k];
+        (x[k], y[k], z[k], w[k]) = (q.x, q.y, q.z, q.w);
     }
-
-    /// A lower estimate of the distance to the set from where an orbit that escapes started (Hart, Sandin and Kauffman,
-    /// 1989), if that is more than `least`.
-    #[inline(always)]
-    pub(crate) fn distance(&self, lane: usize, least: f64) -> f64 {
-        let (size2, slope2) = (self.size2[lane], self.slope2[lane]);
-        // The logarithm is less than the square root.
-        if size2 * size2 < 16.0 * least * least * slope2 {
-            return least;
-        }
-        let distance = 0.25 * (size2 / slope2).sqrt() * size2.ln();
-        if distance > least { distance } else { least }
-    }
-}
-
-/// The orbits from some places on their line.
-pub(crate) struct From<'a>(pub(crate) &'a Orbits, pub(crate) Lanes);
-
-impl Wide for From<'_> {
-    type Output = Ends;
-
-    #[inline(always)]
-    fn run(self) -> Ends {
-        match self.0.power {
-            Power::Square => self.follow(Power::Square),
-            Power::Cube => self.follow(Power::Cube),
-        }
-    }
-}
-
-impl From<'_> {
-    #[inline(always)]
-    fn follow(self, power: Power) -> Ends {
-        let From(&Orbits { line: [from, along], parameter: c, steps, escape, .. }, t) = self;
-        let [mut x, mut y, mut z, mut w] = [[0.0; LANES]; 4];
+    let mut ends = Ends::NONE;
+    ends.slope = [1.0; LANES];
+    // All bits of those that have not escaped.
+    let mut bound = [u64::MAX; LANES];
+    for _ in 0..steps {
         for k in 0..LANES {
-            let q = from + along * t[k];
+            let size2 = x[k] * x[k] + y[k] * y[k] + z[k] * z[k] + w[k] * w[k];
+            ends.look(k, &mut bound, size2, escape);
+            ends.slope[k] *= choose(bound[k], power.degree() * power.degree() * size2, 1.0);
+        }
+        if bound == [0; LANES] {
+            break;
+        }
+        for k in 0..LANES {
+            let q = power.of(Vec4::new(x[k], y[k], z[k], w[k])) + c;
             (x[k], y[k], z[k], w[k]) = (q.x, q.y, q.z, q.w);
         }
-        let mut ends = Ends::NONE;
-        // All bits of those that have not escaped.
-        let mut bound = [u64::MAX; LANES];
-        let choose = |mask: u64, a: f64, b: f64| f64::from_bits(a.to_bits() & mask | b.to_bits() & !mask);
-        for _ in 0..steps {
-            for k in 0..LANES {
-                let size2 = x[k] * x[k] + y[k] * y[k] + z[k] * z[k] + w[k] * w[k];
-                ends.size2[k] = choose(bound[k], size2, ends.size2[k]);
-                bound[k] &= if size2 <= escape { u64::MAX } else { 0 };
-                ends.step[k] = ends.step[k].wrapping_sub(bound[k]);
-                ends.slope2[k] *= choose(bound[k], power.degree() * power.degree() * size2, 1.0);
-            }
-            if bound == [0; LANES] {
-                break;
-            }
-            for k in 0..LANES {
-                let q = power.of(Vec4::new(x[k], y[k], z[k], w[k])) + c;
-                (x[k], y[k], z[k], w[k]) = (q.x, q.y, q.z, q.w);
-            }
-        }
-        ends
     }
+    ends
+}
+
+/// A lower estimate of the distance to the set from where an orbit that escapes started (Hart, Sandin and Kauffman,
+/// 1989), if that is more than `least`, from the squares of its size and of that of its derivative.
+#[inline(always)]
+pub(crate) fn distance(size2: f64, slope2: f64, least: f64) -> f64 {
+    // The logarithm is less than the square root.
+    if size2 * size2 < 16.0 * least * least * slope2 {
+        return least;
+    }
+    let distance = 0.25 * (size2 / slope2).sqrt() * size2.ln();
+    if distance > least { distance } else { least }
 }
 
 /// The step at which the orbit escapes, or `steps`, and the squared size of the last number that was looked at.

@@ -1,8 +1,9 @@
 //! Where on a ray the border of a Julia fractal is, between two places that were seen to lie on either side.
 use raggio_math::wide;
 
+use super::together::{From, LANES, Lanes};
 use super::{FINE, Julia, Map, Way};
-use crate::shapes::quaternion::{self, From, LANES, Lanes};
+use crate::shapes::quaternion;
 
 /// A place on a ray near the border.
 #[derive(Clone, Copy)]
@@ -14,8 +15,8 @@ pub(super) struct Place {
 }
 
 impl Julia {
-    pub(super) fn place(&self, t: f64, end: Option<(u32, f64)>, inside: bool) -> Place {
-        Place { t, inside, level: end.map_or(f64::NAN, |end| self.level(end)) }
+    pub(super) fn place(&self, t: f64, end: (u32, f64), inside: bool) -> Place {
+        Place { t, inside, level: self.level(end) }
     }
 
     /// About how far an orbit that ended in this way is from escaping just at the last step: the logarithm of its size
@@ -35,12 +36,12 @@ impl Julia {
     /// How the orbits of some points of a ray end.
     #[inline(always)]
     pub(super) fn ends(&self, way: &Way, t: Lanes) -> [(u32, f64); LANES] {
-        match self.map {
-            Map::Quaternion(_) => {
-                let ends = wide(From(&way.orbits, t));
+        match &way.orbits {
+            Some(orbits) => {
+                let ends = wide(From(orbits, t));
                 [ends.last(0), ends.last(1), ends.last(2), ends.last(3)]
             }
-            Map::Hypercomplex(_) => t.map(|t| self.last_size(way.ray.at(t))),
+            None => t.map(|t| self.last_size(way.ray.at(t))),
         }
     }
 
@@ -54,7 +55,7 @@ impl Julia {
         while b.t - a.t > FINE {
             let (before, ends) = (b.t - a.t, self.ends(way, t));
             for k in 0..LANES {
-                let seen = self.place(t[k], Some(ends[k]), ends[k].0 == self.steps);
+                let seen = self.place(t[k], ends[k], ends[k].0 == self.steps);
                 if a.t < seen.t && seen.t < b.t {
                     d = c;
                     c = std::mem::replace(if seen.inside == a.inside { &mut a } else { &mut b }, seen);
