@@ -40,7 +40,8 @@ pub(super) struct Field {
     steepest: AtomicU64,
 }
 
-/// A box of the tree. Kept small, for there are many and rays come through most of them only on the way to others.
+/// A box of the tree. Kept small, for there are many and rays come through most of them only on the way to others; none
+/// lies across two cache lines.
 #[derive(Debug)]
 #[repr(C, align(32))]
 pub(super) struct Cell {

@@ -148,7 +148,7 @@ impl<'a> Search<'a> {
     #[inline(always)]
     fn is_free(&self, cell: &Cell, (from, to): (f64, f64), least: &mut f64) -> bool {
         if cell.is_positive(self.sign) {
-            *least = f64::MIN_POSITIVE;
+            *least = 0.0;
             return true;
         }
         let way = self.ray.dir * (to - from);
