@@ -62,6 +62,12 @@ impl Slab {
     /// wanted, which cost every leaf of every shape as much as its own test.
     #[inline(never)]
     pub fn new(ray: &Ray) -> Self {
+        Slab::new_here(ray)
+    }
+
+    /// [`Slab::new`] for a function that is not inlined itself.
+    #[inline(always)]
+    pub fn new_here(ray: &Ray) -> Self {
         let (origin, dir) = (single(ray.origin), single(ray.dir));
         // No comparison holds for what is not a number.
         let within = |v: f32x4| v.abs().simd_lt(f32x4::splat(FAR)).all();

@@ -235,6 +235,12 @@ impl Walk {
         own.iter_mut().for_each(|m| {
             m.member.skip &= if op == Op::Intersection { 0 } else { !OUTERMOST_ONLY };
         });
+        if let ([only], false) = (&mut own[..], fenced || cutaway) {
+            // Combined with nothing it is what it is alone.
+            only.member.skip |= skip;
+            members.append(&mut own);
+            return Ok(());
+        }
         let built = self.group(op, own, skip, reserved, object, outer)?;
         members.push(built);
         Ok(())

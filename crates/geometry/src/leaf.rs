@@ -330,6 +330,7 @@ impl Leaves {
     }
 
     /// The unit normal in the world, the leaf's inversion counted, given the point in the shape's coordinates.
+    #[inline(always)]
     pub(crate) fn normal(&self, hit: &Hit, local_point: Vec3) -> Vec3 {
         let moved = |place: u32, n: Vec3| {
             transform::normal_by_inverse(&self.places[place as usize], n).normalize_or(Vec3::X)

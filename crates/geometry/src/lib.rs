@@ -30,5 +30,5 @@ pub use shaft::{Shaft, Standing};
 pub use surface::{LocalHit, Surface};
 pub use world::{
     BuildError, Geometry, Hit, Interaction, InteriorId, InteriorInfo, LightGroupId, Material, MaterialId,
-    PlacedLight, PlacedTexture, RayClass, TextureId, TextureUse,
+    PlacedLight, PlacedTexture, RayClass, TextureId, TextureUse, TextureUses,
 };

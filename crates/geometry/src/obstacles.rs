@@ -5,8 +5,9 @@ use smallvec::SmallVec;
 use crate::index::ENOUGH;
 use crate::probe::Probe;
 use crate::shaft::Standing;
+use crate::shapes::ShapeKind;
 use crate::solid::Solid;
-use crate::tree::{Group, Member, Node, NodeRef, Scratch};
+use crate::tree::{Group, Lists, Member, Node, NodeRef, Scratch};
 use crate::{Geometry, Hit, RayClass};
 
 /// Who follows a shadow ray.
@@ -27,7 +28,7 @@ pub struct BlockerGuess {
 
 /// A shadow ray under way.
 struct Way<'a> {
-    probe: &'a Probe,
+    probe: &'a Probe<'a>,
     range: (f64, f64),
     /// Of one object's surfaces nearer to each other than this only the first is met.
     gap: f64,
@@ -109,7 +110,7 @@ impl Geometry {
         }
         let group = match member.node.node() {
             Node::Leaf(leaf) => {
-                return self.leaf_stops(leaf, &way.probe.ray, way.range, way.gap, obstacles);
+                return self.leaf_stops(leaf, way.probe.ray, way.range, way.gap, obstacles);
             }
             Node::Group(group) => &self.tree.groups[group as usize],
         };
@@ -148,7 +149,36 @@ impl Geometry {
         if let Some(found) = leaves.closest_of_few(leaf, ray, range, gap, |hit| obstacles.meets(hit)) {
             return found.is_some();
         }
+        if leaves.shape(leaf).is_some_and(ShapeKind::finds_all_at_once) {
+            return self.one_of_all_stops(leaf, ray, range, gap, obstacles);
+        }
         one_stops(range, gap, obstacles, |range, _| leaves.closest(leaf, ray, range, &|_| false))
+    }
+
+    /// [`Geometry::stops_in_places`] by one search for all surfaces.
+    fn one_of_all_stops(
+        &self,
+        leaf: u32,
+        ray: &Ray,
+        (mut from, to): (f64, f64),
+        gap: f64,
+        obstacles: &mut impl Obstacles,
+    ) -> bool {
+        let mut scratch = Scratch::default();
+        let Lists { hits, local } = scratch.lists();
+        let start = hits.len();
+        self.tree.leaves.hits(leaf, ray, (from, to), local, hits);
+        let found = &mut hits[start..];
+        found.sort_unstable_by(|a, b| a.t.total_cmp(&b.t));
+        let stopped = found.iter().any(|hit| {
+            let met = hit.t > from;
+            if met {
+                from = hit.t + gap;
+            }
+            met && obstacles.meets(hit)
+        });
+        hits.truncate(start);
+        stopped
     }
 
     /// `None` where the sweep cannot tell.
@@ -161,7 +191,7 @@ impl Geometry {
     ) -> Option<bool> {
         let mut hits: SmallVec<[Hit; 6]> = SmallVec::new();
         let mut stopped = false;
-        let ray = &way.probe.ray;
+        let ray = way.probe.ray;
         solid.sweep(&self.tree, group, way.probe, way.range, |end| {
             stopped = obstacles.stops(end.leaf());
             if !stopped {

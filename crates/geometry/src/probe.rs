@@ -6,8 +6,8 @@ use raggio_math::{Aabb, Ray, Vec3};
 const MAX_INVERSE: f64 = 1e300;
 
 /// A ray with what the tests of boxes need of it.
-pub(crate) struct Probe {
-    pub(crate) ray: Ray,
+pub(crate) struct Probe<'r> {
+    pub(crate) ray: &'r Ray,
     pub(crate) slab: Slab,
 }
 
@@ -17,10 +17,11 @@ pub(crate) struct BoxRay {
     inverse: Vec3,
 }
 
-impl Probe {
-    #[inline]
-    pub(crate) fn new(ray: &Ray) -> Self {
-        Probe { ray: *ray, slab: Slab::new(ray) }
+impl<'r> Probe<'r> {
+    /// Not inlined, as [`Slab::new`] is not; the slab is made where it stays.
+    #[inline(never)]
+    pub(crate) fn new(ray: &'r Ray) -> Self {
+        Probe { ray, slab: Slab::new_here(ray) }
     }
 }
 

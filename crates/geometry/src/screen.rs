@@ -33,6 +33,8 @@ pub struct Screen {
     ends: SmallVec<[usize; 4]>,
     /// Is this all that may stand there?
     complete: bool,
+    /// Room for how rays meet the parts of one solid.
+    meetings: [Meeting; MOST_PARTS],
 }
 
 /// What is known about eight rays, a bit each.
@@ -82,15 +84,11 @@ struct Rays {
 
 /// Rays and a part: their directions in its coordinates, and where they cross it: twice, and by how much they do so, in
 /// units of what rounding may do.
-#[derive(Clone, Copy)]
+#[derive(Default)]
 struct Meeting {
     dir: [Lanes; 3],
     t: [Lanes; 2],
     clear: [Lanes; 2],
-}
-
-impl Meeting {
-    const NONE: Meeting = Meeting { dir: [[0.0; RAYS]; 3], t: [[0.0; RAYS]; 2], clear: [[0.0; RAYS]; 2] };
 }
 
 impl Geometry {
@@ -189,7 +187,7 @@ impl Kind {
 impl Screen {
     /// Looks at the rays towards eight places, given about the point; nothing nearer to either end than a distance
     /// counts.
-    pub fn verdict(&self, targets: &[Lanes; 3], near: f64) -> Verdict {
+    pub fn verdict(&mut self, targets: &[Lanes; 3], near: f64) -> Verdict {
         let mut verdict = wide(Look { screen: self, targets, near });
         if !self.complete {
             verdict.free = 0;
@@ -199,7 +197,7 @@ impl Screen {
 }
 
 struct Look<'a> {
-    screen: &'a Screen,
+    screen: &'a mut Screen,
     targets: &'a [Lanes; 3],
     near: f64,
 }
@@ -210,13 +208,13 @@ impl Wide for Look<'_> {
     #[inline(always)]
     fn run(self) -> Verdict {
         let rays = Rays::towards(self.targets, self.near);
-        let mut meetings = [Meeting::NONE; MOST_PARTS];
+        let Screen { parts, ends, meetings, .. } = self.screen;
         let mut most = [f64::NEG_INFINITY; RAYS];
         let mut start = 0;
-        for &end in &self.screen.ends {
-            let parts = &self.screen.parts[start..end];
+        for &end in &*ends {
+            let parts = &parts[start..end];
             start = end;
-            for (part, meeting) in parts.iter().zip(&mut meetings) {
+            for (part, meeting) in parts.iter().zip(&mut *meetings) {
                 *meeting = part.meet(&rays);
             }
             for (i, meeting) in meetings[..parts.len()].iter().enumerate() {

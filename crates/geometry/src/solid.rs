@@ -228,7 +228,7 @@ impl Solid {
     ) -> Option<Option<Hit>> {
         let mut best = None;
         self.sweep(tree, group, probe, range, |end| {
-            best = Some(end.hit(tree, &probe.ray)?);
+            best = Some(end.hit(tree, probe.ray)?);
             Some(false)
         })?;
         Some(best)
@@ -244,7 +244,7 @@ impl Solid {
         mut range: (f64, f64),
         mut found: impl FnMut(Counted<'_>) -> Option<bool>,
     ) -> Option<()> {
-        let ray = &probe.ray;
+        let ray = probe.ray;
         if self.limited {
             let mut goes_on = |end: End| {
                 let part = &self.parts[end.part as usize];

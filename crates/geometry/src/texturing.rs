@@ -1,10 +1,10 @@
 //! Which textures count at a hit.
 use raggio_math::Vec3;
 use rustc_hash::FxHashMap;
-use smallvec::{SmallVec, smallvec};
+use smallvec::SmallVec;
 
 use crate::tree::{Node, NodeRef, Tree};
-use crate::{Hit, Material, TextureId, TextureUse};
+use crate::{Hit, Material, TextureId, TextureUse, TextureUses};
 
 /// What leaves with textures in parts have beyond their material, by leaf.
 pub(crate) type Parts = FxHashMap<u32, LeafParts>;
@@ -41,14 +41,17 @@ pub(crate) struct Texturing<'a> {
 
 impl Texturing<'_> {
     /// The textures at a hit; `p` is the point in the world and `local` in the shape's coordinates.
-    pub(crate) fn at(&self, hit: &Hit, p: Vec3, local: Vec3, from_inside: bool) -> Uses {
+    pub(crate) fn at(&self, hit: &Hit, p: Vec3, local: Vec3, from_inside: bool) -> TextureUses {
         let material = self.material(hit.leaf);
         if let (true, Some(texture)) = (from_inside, material.interior_texture) {
-            return smallvec![whole(texture)];
+            return TextureUses::One(whole(texture));
         }
         match self.tree.leaves.leaves[hit.leaf as usize].has_parts {
-            true => self.of_leaf(hit, p, local, material),
-            false => alone(material.texture),
+            true => TextureUses::Other(self.of_leaf(hit, p, local, material)),
+            false => match material.texture {
+                Some(texture) => TextureUses::One(whole(texture)),
+                None => TextureUses::Other(Uses::new()),
+            },
         }
     }
 

@@ -88,8 +88,8 @@ pub(crate) struct Group {
 /// Lists of hits.
 #[derive(Default)]
 pub(crate) struct Lists {
-    hits: Vec<Hit>,
-    local: Vec<LocalHit>,
+    pub(crate) hits: Vec<Hit>,
+    pub(crate) local: Vec<LocalHit>,
 }
 
 thread_local! {
@@ -102,7 +102,7 @@ thread_local! {
 pub(crate) struct Scratch(Option<Lists>);
 
 impl Scratch {
-    fn lists(&mut self) -> &mut Lists {
+    pub(crate) fn lists(&mut self) -> &mut Lists {
         self.0.get_or_insert_with(|| LISTS.take())
     }
 }
@@ -154,7 +154,7 @@ impl Tree {
         stops: &F,
     ) -> Option<Hit> {
         match node.node() {
-            Node::Leaf(leaf) => self.leaves.closest(leaf, &probe.ray, range, stops),
+            Node::Leaf(leaf) => self.leaves.closest(leaf, probe.ray, range, stops),
             Node::Group(group) => {
                 self.group_closest(&self.groups[group as usize], probe, range, class, scratch, stops)
             }
@@ -177,19 +177,24 @@ impl Tree {
         {
             return found;
         }
-        let range = group.span(&probe.ray, range)?;
+        let range = group.span(probe.ray, range)?;
         if !self.within_bounds(group, probe, scratch) {
             return None;
         }
-        if group.all_count() {
-            return self.closest_of_all(group, probe, range, class, scratch, stops);
-        }
-        self.closest_member(group, probe, range, class, stops, |index, range, out| {
-            put(self.closest_that_counts(group, index, probe, range, class, scratch), out)
-        })
+        let mut best = Hit::NONE;
+        let found = match group.all_count() {
+            true => self.closest_of_all(group, probe, range, class, scratch, stops, &mut best),
+            false => {
+                self.closest_member(group, probe, range, class, stops, &mut best, |index, range, out| {
+                    put(self.closest_that_counts(group, index, probe, range, class, scratch), out)
+                })
+            }
+        };
+        found.then_some(best)
     }
 
-    /// The nearest hit of the members of a group in which all hits count, its bounds not asked.
+    /// Puts the nearest hit of the members of a group in which all hits count, its bounds not asked, where it is
+    /// wanted, and says whether there is one.
     #[inline]
     pub(crate) fn closest_of_all<F: Fn(&Hit) -> bool>(
         &self,
@@ -199,10 +204,11 @@ impl Tree {
         class: u8,
         scratch: &mut Scratch,
         stops: &F,
-    ) -> Option<Hit> {
-        self.closest_member(group, probe, range, class, stops, |index, range, out| {
+        best: &mut Hit,
+    ) -> bool {
+        self.closest_member(group, probe, range, class, stops, best, |index, range, out| {
             match group.members[index as usize].node.node() {
-                Node::Leaf(leaf) => self.leaves.closest_into(leaf, &probe.ray, range, stops, out),
+                Node::Leaf(leaf) => self.leaves.closest_into(leaf, probe.ray, range, stops, out),
                 Node::Group(group) => {
                     let group = &self.groups[group as usize];
                     put(self.group_closest(group, probe, range, class, scratch, stops), out)
@@ -211,8 +217,8 @@ impl Tree {
         })
     }
 
-    /// The nearest of the hits that `ask` finds of the members of a group, or any that `stops` says yes to. `ask` puts
-    /// a hit where it is told, and says whether there was one.
+    /// Puts the nearest of the hits that `ask` finds of the members of a group, or any that `stops` says yes to, into
+    /// `best`, and says whether there is one. So does `ask` with the hit of a member.
     #[inline(always)]
     fn closest_member(
         &self,
@@ -221,9 +227,10 @@ impl Tree {
         range: (f64, f64),
         class: u8,
         stops: &impl Fn(&Hit) -> bool,
+        best: &mut Hit,
         mut ask: impl FnMut(u32, (f64, f64), &mut Hit) -> bool,
-    ) -> Option<Hit> {
-        let (mut best, mut found) = (Hit::NONE, false);
+    ) -> bool {
+        let mut found = false;
         group.surfaces.closest(probe, range, |index, far, within| {
             let member = &group.members[index as usize];
             if member.skip & class != 0 {
@@ -236,19 +243,19 @@ impl Tree {
             if rivals && range.1 == far {
                 range.1 = far.next_up();
             }
-            if !ask(index, range, if rivals { &mut other } else { &mut best }) {
+            if !ask(index, range, if rivals { &mut other } else { &mut *best }) {
                 return None;
             }
             if rivals {
-                if !self.stands_before(&other, &best) {
+                if !self.stands_before(&other, best) {
                     return None;
                 }
-                best = other;
+                *best = other;
             }
             found = true;
-            Some(if stops(&best) { ENOUGH } else { best.t })
+            Some(if stops(best) { ENOUGH } else { best.t })
         });
-        found.then_some(best)
+        found
     }
 
     /// Which of two hits is seen? Of equally near ones the leaves' ranks decide, so that coincident surfaces look as
@@ -271,7 +278,7 @@ impl Tree {
         let node = group.members[member as usize].node;
         let counts = |t: f64| self.counts(group, member, probe.ray.at(t));
         if let Node::Leaf(leaf) = node.node() {
-            let ray = &probe.ray;
+            let ray = probe.ray;
             let found = self.leaves.closest_of_few(leaf, ray, range, 0.0, |hit| counts(hit.t));
             if let Some(found) = found.or_else(|| self.leaves.closest_counted(leaf, ray, range, counts)) {
                 return found;
@@ -292,7 +299,7 @@ impl Tree {
         let group = match node.node() {
             Node::Leaf(leaf) => {
                 let Lists { hits, local } = scratch.lists();
-                return self.leaves.hits(leaf, &probe.ray, range, local, hits);
+                return self.leaves.hits(leaf, probe.ray, range, local, hits);
             }
             Node::Group(group) => &self.groups[group as usize],
         };
@@ -300,7 +307,7 @@ impl Tree {
             let hits = &mut scratch.lists().hits;
             let start = hits.len();
             let swept = solid.sweep(self, group, probe, range, |end| {
-                hits.push(end.hit(self, &probe.ray)?);
+                hits.push(end.hit(self, probe.ray)?);
                 Some(true)
             });
             if swept.is_some() {
@@ -308,7 +315,7 @@ impl Tree {
             }
             hits.truncate(start);
         }
-        let Some(range) = group.span(&probe.ray, range) else { return };
+        let Some(range) = group.span(probe.ray, range) else { return };
         if !self.within_bounds(group, probe, scratch) {
             return;
         }

@@ -128,7 +128,7 @@ pub struct Hit {
 
 impl Hit {
     /// Stands where there is none yet.
-    pub(crate) const NONE: Hit = Hit {
+    pub const NONE: Hit = Hit {
         t: f64::INFINITY,
         leaf: u32::MAX,
         inverted: false,
@@ -145,6 +145,26 @@ pub struct TextureUse {
     pub weight: f32,
 }
 
+/// The textures that count at a point.
+#[derive(Clone, Debug)]
+pub enum TextureUses {
+    /// Nearly always.
+    One(TextureUse),
+    /// None or several.
+    Other(SmallVec<[TextureUse; 2]>),
+}
+
+impl TextureUses {
+    /// All of them.
+    #[inline]
+    pub fn as_slice(&self) -> &[TextureUse] {
+        match self {
+            TextureUses::One(only) => std::slice::from_ref(only),
+            TextureUses::Other(uses) => uses,
+        }
+    }
+}
+
 /// Everything about the winner's surface.
 #[derive(Clone, Debug)]
 pub struct Interaction {
@@ -159,7 +179,7 @@ pub struct Interaction {
     /// What hangs on it.
     pub material: MaterialId,
     /// The textures that count here, interior textures already chosen; empty shades black.
-    pub textures: SmallVec<[TextureUse; 2]>,
+    pub textures: TextureUses,
 }
 
 /// Why a scene's objects cannot be made ready.
@@ -231,23 +251,29 @@ impl Geometry {
     /// The nearest hit with `t_min < t < t_max` (world distance; `ray.dir` is of unit length). Nothing nearer than
     /// [`MIN_HIT`] or farther than [`MAX_DISTANCE`] is ever hit.
     pub fn closest(&self, ray: &Ray, range: (f64, f64), class: RayClass) -> Option<Hit> {
-        let range = (range.0.max(MIN_HIT), range.1.min(MAX_DISTANCE));
-        if !self.few.is_empty() {
-            return self.closest_of_few(ray, range, class);
-        }
-        let (probe, scratch) = (Probe::new(ray), &mut Scratch::default());
-        self.tree.closest_of_all(&self.world, &probe, range, class.bit(), scratch, &|_| false)
+        let mut hit = Hit::NONE;
+        self.closest_into(ray, range, class, &mut hit).then_some(hit)
     }
 
-    /// [`Geometry::closest`] in a world of a few leaves.
-    fn closest_of_few(&self, ray: &Ray, range: (f64, f64), class: RayClass) -> Option<Hit> {
-        let (mut best, mut found) = (Hit::NONE, false);
+    /// Puts the hit that [`Geometry::closest`] finds where it is wanted, and says whether there is one.
+    pub fn closest_into(&self, ray: &Ray, range: (f64, f64), class: RayClass, best: &mut Hit) -> bool {
+        let range = (range.0.max(MIN_HIT), range.1.min(MAX_DISTANCE));
+        if !self.few.is_empty() {
+            return self.closest_of_few(ray, range, class, best);
+        }
+        let (probe, scratch) = (Probe::new(ray), &mut Scratch::default());
+        self.tree.closest_of_all(&self.world, &probe, range, class.bit(), scratch, &|_| false, best)
+    }
+
+    /// [`Geometry::closest_into`] in a world of a few leaves.
+    fn closest_of_few(&self, ray: &Ray, range: (f64, f64), class: RayClass, best: &mut Hit) -> bool {
+        let mut found = false;
         for member in self.few.iter().filter(|member| member.skip & class.bit() == 0) {
             let Node::Leaf(leaf) = member.node.node() else { continue };
             let far = if found { best.t } else { range.1 };
-            found |= self.tree.leaves.nearest_into(leaf, ray, (range.0, far), &mut best);
+            found |= self.tree.leaves.nearest_into(leaf, ray, (range.0, far), best);
         }
-        found.then_some(best)
+        found
     }
 
     /// The maximal gradients of isosurfaces that are too low for what rays have met so far, each with the steeper one
@@ -299,7 +325,10 @@ impl Geometry {
 
     /// Is the point inside any top-level object?
     pub fn inside(&self, p: Vec3) -> bool {
-        self.tree.group_inside(&self.world, p)
+        match self.world.members[..] {
+            [only] => self.tree.inside(only.node, p),
+            _ => self.tree.group_inside(&self.world, p),
+        }
     }
 
     /// The interiors of all objects that contain the point, in the order of the scene (the start of a ray's list).

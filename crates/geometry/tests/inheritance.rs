@@ -62,7 +62,7 @@ fn textures_at(geometry: &Geometry, x: f64) -> Vec<Vec<(usize, f32)>> {
     let id = |t: &raggio_geometry::TextureUse| {
         (Arc::as_ptr(&geometry.textures[t.texture.0 as usize].texture) as usize, t.weight)
     };
-    surfaces(geometry, &along_z(x)).iter().map(|s| s.textures.iter().map(id).collect()).collect()
+    surfaces(geometry, &along_z(x)).iter().map(|s| s.textures.as_slice().iter().map(id).collect()).collect()
 }
 
 fn sees(geometry: &Geometry, x: f64, class: RayClass) -> bool {
@@ -269,7 +269,7 @@ fn faces_of_meshes_bring_their_textures() {
         let id = |t: &raggio_geometry::TextureUse| {
             (address(&geometry.textures[t.texture.0 as usize].texture), t.weight)
         };
-        uses.iter().map(id).collect::<Vec<_>>()
+        uses.as_slice().iter().map(id).collect::<Vec<_>>()
     };
     assert_eq!(at(1.0, 2.0), [(address(&a), 0.25), (address(&b), 0.25), (address(&c), 0.5)]);
     assert_eq!(at(3.0, 3.0), [(address(&own), 1.0)]);

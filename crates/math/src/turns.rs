@@ -36,6 +36,19 @@ pub fn floors(p: Vec3) -> Vec3 {
     Vec3::new(floor(p.x), floor(p.y), floor(p.z))
 }
 
+/// `v % period`, to the bit. What is less than the period is left as it is without a call.
+#[inline]
+pub fn rest(v: f64, period: f64) -> f64 {
+    if v.abs() < period { v } else { v % period }
+}
+
+/// `v.rem_euclid(period)`, to the bit, in the same way.
+#[inline]
+pub fn wrapped(v: f64, period: f64) -> f64 {
+    let rest = rest(v, period);
+    if rest < 0.0 { rest + period.abs() } else { rest }
+}
+
 /// What is left of `v` after whole `period`s, with the sign of `v`: `v % period`, to the last bit but a few.
 #[inline]
 pub fn remainder(v: f64, period: f64) -> f64 {
@@ -98,6 +111,12 @@ mod tests {
         assert!(floor(f64::NAN).is_nan() && remainder(f64::NAN, 1.0).is_nan());
         assert_eq!(floors(Vec3::new(-0.5, 0.5, 7.0)), Vec3::new(-1.0, 0.0, 7.0));
         assert_eq!(fraction(-0.25), 0.75);
+        for (v, period) in
+            [(2.5, 3.0), (-2.5, 3.0), (7.5, 3.0), (-7.5, 3.0), (-0.0, 1.0), (2.5, -2.0), (-3.0, 3.0)]
+        {
+            assert_eq!(rest(v, period).to_bits(), f64::to_bits(v % period));
+            assert_eq!(wrapped(v, period).to_bits(), v.rem_euclid(period).to_bits(), "{v} {period}");
+        }
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! The film: tiles handed to threads, put together to a picture.
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 
 use crate::antialias::{First, Patch};
@@ -68,22 +69,24 @@ impl World {
                 (caller.build(), STACK_OF_CALLER)
             }
         };
-        let parts = match pool {
-            Ok(pool) => pool.install(|| self.parts(options, &tiles, stack, cancel, progress)),
-            Err(_) => vec![Vec::new(); tiles.len()],
-        };
-        assemble(&region, &tiles, &parts)
+        let canvas = Canvas::new(&region);
+        match pool {
+            Ok(pool) => pool.install(|| self.paint(options, &tiles, stack, cancel, progress, &canvas)),
+            Err(_) => canvas.leave(),
+        }
+        canvas.into_film()
     }
 
-    /// The pixels of all tiles, made by the pool of the thread that calls; nothing for those that were cut short.
-    fn parts(
+    /// Paints all tiles, by the pool of the thread that calls.
+    fn paint(
         &self,
         options: &Options,
         tiles: &[Tile],
         stack: usize,
         cancel: &AtomicBool,
         progress: &(dyn Fn(usize, usize) + Sync),
-    ) -> Vec<Vec<Pixel>> {
+        canvas: &Canvas<'_>,
+    ) {
         let photons = photons::shoot(self, options, stack, cancel);
         let cache = radiosity::pretrace(self, options, &photons, tiles, stack, cancel);
         let sampler = || {
@@ -101,13 +104,45 @@ impl World {
         };
         in_turn(&order, &Turns::new(order.len()), |i| {
             if cancelled() {
-                return Vec::new();
+                return canvas.leave();
             }
             let first = known.as_ref().map(|(first, _)| first);
-            let pixels = sampler().tile(&tiles[i], first);
+            canvas.put(&tiles[i], &sampler().tile(&tiles[i], first));
             all.advance(tiles[i].area() * if first.is_some() { 1 } else { 2 });
-            pixels
-        })
+        });
+    }
+}
+
+/// The film while threads put tiles on it. What a tile holds goes to its place at once: kept until the end, it would
+/// have to be read and written once more, from memory that the system had to make ready for it.
+struct Canvas<'r> {
+    region: &'r Region,
+    film: Mutex<Film>,
+}
+
+impl<'r> Canvas<'r> {
+    fn new(region: &'r Region) -> Self {
+        let (width, height) = (region.right - region.left, region.bottom - region.top);
+        let pixels = vec![[0.0; 4]; width * height];
+        Canvas { region, film: Mutex::new(Film { width, height, pixels, cancelled: false }) }
+    }
+
+    /// The pixels of a tile, row by row.
+    fn put(&self, tile: &Tile, pixels: &[Pixel]) {
+        let mut film = self.film.lock().unwrap_or_else(PoisonError::into_inner);
+        for (row, y) in pixels.chunks(tile.x.len()).zip(tile.y.clone()) {
+            let start = (y - self.region.top) * film.width + tile.x.start - self.region.left;
+            film.pixels[start..start + row.len()].copy_from_slice(row);
+        }
+    }
+
+    /// Some tile stays empty.
+    fn leave(&self) {
+        self.film.lock().unwrap_or_else(PoisonError::into_inner).cancelled = true;
+    }
+
+    fn into_film(self) -> Film {
+        self.film.into_inner().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
@@ -204,22 +239,6 @@ pub(crate) fn in_turn<T: Send>(order: &[usize], turns: &Turns, work: impl Fn(usi
     all.into_iter().map(|(_, result)| result).collect()
 }
 
-fn assemble(region: &Region, tiles: &[Tile], parts: &[Vec<Pixel>]) -> Film {
-    let (width, height) = (region.right - region.left, region.bottom - region.top);
-    let mut film = Film { width, height, pixels: vec![[0.0; 4]; width * height], cancelled: false };
-    for (tile, part) in tiles.iter().zip(parts) {
-        if part.is_empty() {
-            film.cancelled = true;
-            continue;
-        }
-        for (row, y) in part.chunks(tile.x.len()).zip(tile.y.clone()) {
-            let start = (y - region.top) * width + tile.x.start - region.left;
-            film.pixels[start..start + row.len()].copy_from_slice(row);
-        }
-    }
-    film
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -252,14 +271,13 @@ mod tests {
         let tiles = tiles(&region, TILE);
         assert_eq!(tiles[0], Tile { x: 5..37, y: 3..35 });
         assert_eq!(tiles.iter().map(Tile::area).sum::<usize>(), 75 * 37);
-        let parts: Vec<_> = tiles
-            .iter()
-            .map(|t| {
-                let pixel = |x: usize, y: usize| [x as f32, y as f32, 0.0, 0.0];
-                t.y.clone().flat_map(|y| t.x.clone().map(move |x| pixel(x, y))).collect()
-            })
-            .collect();
-        let film = assemble(&region, &tiles, &parts);
+        let canvas = Canvas::new(&region);
+        for t in tiles.iter().rev() {
+            let pixel = |x: usize, y: usize| [x as f32, y as f32, 0.0, 0.0];
+            let pixels: Vec<_> = t.y.clone().flat_map(|y| t.x.clone().map(move |x| pixel(x, y))).collect();
+            canvas.put(t, &pixels);
+        }
+        let film = canvas.into_film();
         assert!(!film.cancelled);
         for (i, pixel) in film.pixels.iter().enumerate() {
             assert_eq!(pixel[..2], [(5 + i % 75) as f32, (3 + i / 75) as f32]);

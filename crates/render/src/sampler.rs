@@ -69,7 +69,7 @@ impl<'w> Sampler<'w> {
     /// Follows the ray through a place for the sake of the radiosity cache alone.
     pub fn look(&mut self, x: f64, y: f64) {
         if let Some(ray) = self.tracer.world.camera.ray(x, y, self.frame, None) {
-            self.shoot(ray, f64::INFINITY, (x, y, 0));
+            self.shoot(&ray, f64::INFINITY, x, y, 0);
         }
     }
 
@@ -111,17 +111,16 @@ impl<'w> Sampler<'w> {
         if let Some(lens) = &camera.lens {
             return self.blurred(x, y, lens);
         }
-        match camera.ray(x, y, self.frame, None) {
-            Some(ray) => self.shoot(ray, f64::INFINITY, (x, y, 0)),
+        match &camera.ray(x, y, self.frame, None) {
+            Some(ray) => self.shoot(ray, f64::INFINITY, x, y, 0),
             None => NOTHING,
         }
     }
 
-    /// What a camera ray sees. `key` names the sample for its random numbers.
-    fn shoot(&mut self, ray: Ray, reach: f64, key: (f64, f64, u64)) -> Pixel {
+    /// What a camera ray sees. The place and the number of the sample there name its random numbers.
+    fn shoot(&mut self, ray: &Ray, reach: f64, x: f64, y: f64, number: u64) -> Pixel {
         let world = self.tracer.world;
-        self.tracer.streams =
-            Streams::new(self.options.seed, key.0.to_bits() as i64, key.1.to_bits() as i64, key.2);
+        self.tracer.streams = Streams::new(self.options.seed, x.to_bits() as i64, y.to_bits() as i64, number);
         let around;
         let interiors = match world.camera.interiors() {
             Some(same) => same,
@@ -139,9 +138,7 @@ impl<'w> Sampler<'w> {
             wavelength: None,
             reach,
         };
-        let seen = self.tracer.trace(&beam, false);
-        let clean = |v: f32| if v.is_nan() { 0.0 } else { v };
-        [clean(seen.rgb.x), clean(seen.rgb.y), clean(seen.rgb.z), clean(seen.transmit)]
+        self.tracer.trace(&beam, false).to_pixel()
     }
 
     /// Depth of field: samples over the lens until they agree.
@@ -151,8 +148,8 @@ impl<'w> Sampler<'w> {
             for _ in 0..lens.group(done) {
                 let sample = lens.sample(x, y, done);
                 let camera = &self.tracer.world.camera;
-                let pixel = match camera.ray(sample.x, sample.y, self.frame, Some(&sample)) {
-                    Some(ray) => self.shoot(ray, f64::INFINITY, (x, y, done as u64)),
+                let pixel = match &camera.ray(sample.x, sample.y, self.frame, Some(&sample)) {
+                    Some(ray) => self.shoot(ray, f64::INFINITY, x, y, done as u64),
                     None => NOTHING,
                 };
                 for ((sum, square), value) in sum.iter_mut().zip(&mut squares).zip(pixel) {
@@ -173,7 +170,7 @@ impl<'w> Sampler<'w> {
         let (mut sum, mut count) = ([0.0; 4], 0.0);
         for k in 0..mesh.rays_per_pixel() {
             if let Some(ray) = mesh.ray(x, y, k, self.frame) {
-                let pixel = self.shoot(ray, mesh.max_distance, (x, y, u64::from(k)));
+                let pixel = self.shoot(&ray, mesh.max_distance, x, y, u64::from(k));
                 sum.iter_mut().zip(pixel).for_each(|(sum, value)| *sum += value);
                 count += 1.0;
             }

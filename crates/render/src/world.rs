@@ -38,6 +38,8 @@ pub struct World {
     pub(crate) subsurface: Option<subsurface::Rules>,
     /// Does any interior or empty space have media?
     pub(crate) any_media: bool,
+    /// Do samples of any of them lie at random?
+    pub(crate) random_media: bool,
 }
 
 /// What a material's surfaces let through of light.
@@ -111,6 +113,7 @@ impl World {
             .collect::<Result<Vec<_>, _>>()?;
         let air = MediaList::new(&scene.atmosphere.media, &Affine::IDENTITY, rules.noise);
         let any_media = !air.is_empty() || interiors.iter().any(|i| !i.media.is_empty());
+        let random_media = air.is_random() || interiors.iter().any(|i| i.media.is_random());
         Ok(World {
             light_sets: LightSets::new(&geometry),
             radiosity: radiosity_rules(scene, &geometry),
@@ -126,6 +129,7 @@ impl World {
             air,
             rules,
             any_media,
+            random_media,
         })
     }
 

@@ -10,6 +10,11 @@ pub(crate) trait Collect {
     fn range(&self) -> (f64, f64);
     /// Takes a hit if it lies in the range.
     fn push(&mut self, hit: LocalHit);
+    /// Is it enough to know that there is a hit between two distances? Then it has been taken.
+    #[inline]
+    fn settles(&mut self, _from: f64, _to: f64) -> bool {
+        false
+    }
     /// Takes a hit; are farther ones still wanted?
     #[inline]
     fn take(&mut self, hit: LocalHit) -> bool {
@@ -63,6 +68,32 @@ impl Collect for Nearest {
             self.range.1 = hit.t;
             self.best = Some(hit);
         }
+    }
+}
+
+/// Keeps the nearest hit, or any that `stops` says yes to.
+pub(crate) struct Enough<F> {
+    pub(crate) nearest: Nearest,
+    pub(crate) stops: F,
+}
+
+impl<F: FnMut(&LocalHit) -> bool> Collect for Enough<F> {
+    #[inline]
+    fn range(&self) -> (f64, f64) {
+        self.nearest.range
+    }
+    #[inline]
+    fn push(&mut self, hit: LocalHit) {
+        self.nearest.push(hit);
+    }
+    #[inline]
+    fn settles(&mut self, from: f64, to: f64) -> bool {
+        let (range, hit) = (self.nearest.range, LocalHit::at(to));
+        let settled = range.0 < from && to < range.1 && (self.stops)(&hit);
+        if settled {
+            self.nearest.push(hit);
+        }
+        settled
     }
 }
 

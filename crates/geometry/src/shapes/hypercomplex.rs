@@ -8,6 +8,7 @@ use raggio_math::{Vec3, Vec4};
 use raggio_scene::JuliaFunction;
 
 use super::julia::proved::Proof;
+use super::julia::together::{Ends, LANES, Lanes, Orbits, choose};
 
 /// A complex number.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -91,27 +92,38 @@ impl Complex {
     }
 }
 
-/// A hypercomplex number as its pair of complex numbers.
+/// A hypercomplex number as its pair of complex numbers, the real parts beside each other.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Hypercomplex(Complex, Complex);
+pub(crate) struct Hypercomplex {
+    re: [f64; 2],
+    im: [f64; 2],
+}
 
 impl Hypercomplex {
     /// From x, y, z, w.
     #[inline(always)]
     pub(crate) fn from_vec(v: Vec4) -> Self {
-        Hypercomplex(Complex { re: v.x - v.w, im: v.y + v.z }, Complex { re: v.x + v.w, im: v.y - v.z })
+        Hypercomplex { re: [v.x - v.w, v.x + v.w], im: [v.y + v.z, v.y - v.z] }
+    }
+    #[inline(always)]
+    fn of(a: Complex, b: Complex) -> Self {
+        Hypercomplex { re: [a.re, b.re], im: [a.im, b.im] }
+    }
+    #[inline(always)]
+    fn part(self, k: usize) -> Complex {
+        Complex { re: self.re[k], im: self.im[k] }
     }
     #[inline(always)]
     fn each(self, f: impl Fn(Complex) -> Complex) -> Self {
-        Hypercomplex(f(self.0), f(self.1))
+        Self::of(f(self.part(0)), f(self.part(1)))
     }
     #[inline(always)]
     fn with(self, o: Self, f: impl Fn(Complex, Complex) -> Complex) -> Self {
-        Hypercomplex(f(self.0, o.0), f(self.1, o.1))
+        Self::of(f(self.part(0), o.part(0)), f(self.part(1), o.part(1)))
     }
     #[inline(always)]
     fn dot(self, o: Self) -> f64 {
-        self.0.half_dot(o.0) + self.1.half_dot(o.1)
+        self.part(0).half_dot(o.part(0)) + self.part(1).half_dot(o.part(1))
     }
 }
 
@@ -146,7 +158,7 @@ impl Orbit {
     pub(crate) fn gradient(&self) -> Vec3 {
         let product = self.product;
         let along_y = product.each(|x| x * I);
-        let along_z = Hypercomplex(product.0 * I, product.1 * I.times(-1.0));
+        let along_z = Hypercomplex::of(product.part(0) * I, product.part(1) * I.times(-1.0));
         Vec3::new(self.last.dot(product), self.last.dot(along_y), self.last.dot(along_z))
     }
 }
@@ -211,21 +223,11 @@ impl Map {
         }
     }
 
-    /// The orbit, if it escapes. Of maps that cost next to nothing the product is made when that is known, by a second
-    /// run, for most points escape at once or never.
+    /// The orbit, if it escapes.
     #[inline(always)]
     pub(crate) fn escape(self, q: Hypercomplex, c: Hypercomplex, steps: u32, escape: f64) -> Option<Orbit> {
-        let orbit = match self {
-            Map::Square => self.orbit(q, c, length(q, c, (steps, escape), square)?, f64::INFINITY),
-            Map::Reciprocal => {
-                self.orbit(q, c, length(q, c, (steps, escape), Complex::inverse)?, f64::INFINITY)
-            }
-            Map::Function(_) => self.orbit(q, c, steps, escape),
-        };
-        match self {
-            Map::Function(_) => orbit.escaped.is_some().then_some(orbit),
-            _ => Some(Orbit { escaped: Some(orbit.last.dot(orbit.last)), ..orbit }),
-        }
+        let orbit = self.orbit(q, c, steps, escape);
+        orbit.escaped.is_some().then_some(orbit)
     }
 }
 
@@ -271,18 +273,6 @@ fn orbit(
     Orbit { escaped: None, last: q, product }
 }
 
-/// After how many steps the orbit escapes, if it does.
-#[inline(always)]
-fn length(
-    q: Hypercomplex,
-    c: Hypercomplex,
-    (steps, escape): (u32, f64),
-    map: impl Fn(Complex) -> Complex,
-) -> Option<u32> {
-    let (k, _) = last_size(q, c, (steps, escape), map);
-    (k < steps).then_some(k)
-}
-
 /// The step at which the orbit escapes, or `steps`, and the squared size of the last number that was looked at.
 #[inline(always)]
 fn last_size(
@@ -302,6 +292,55 @@ fn last_size(
     (steps, size2)
 }
 
+/// [`orbit`] of some squares together, with how fast half the squared sizes grow along the ray.
+#[inline(always)]
+pub(crate) fn follow_squares(orbits: &Orbits, t: Lanes) -> Ends {
+    let Orbits { line: [from, along], steps, escape, .. } = *orbits;
+    let c = Hypercomplex::from_vec(orbits.parameter);
+    let direction = Hypercomplex::from_vec(along.truncate().extend(0.0));
+    // The parts of the numbers and of the products, one after the other.
+    let [mut re, mut im] = [[[0.0; LANES]; 2]; 2];
+    for k in 0..LANES {
+        let q = Hypercomplex::from_vec(from + along * t[k]);
+        (re[0][k], re[1][k], im[0][k], im[1][k]) = (q.re[0], q.re[1], q.im[0], q.im[1]);
+    }
+    let (mut product_re, mut product_im) = (re, im);
+    let mut ends = Ends::NONE;
+    let mut bound = [u64::MAX; LANES];
+    for step in 0..steps {
+        for k in 0..LANES {
+            let half = |part: usize| 0.5 * (re[part][k] * re[part][k] + im[part][k] * im[part][k]);
+            ends.look(k, &mut bound, half(0) + half(1), escape);
+        }
+        if bound == [0; LANES] {
+            break;
+        }
+        for part in 0..2 {
+            let (c_re, c_im) = (c.re[part], c.im[part]);
+            for k in 0..LANES {
+                let (q, p) = ((re[part][k], im[part][k]), (product_re[part][k], product_im[part][k]));
+                let (twice_re, twice_im) = (2.0 * q.0, 2.0 * q.1);
+                if step > 0 {
+                    product_re[part][k] = choose(bound[k], p.0 * twice_re - p.1 * twice_im, p.0);
+                    product_im[part][k] = choose(bound[k], p.0 * twice_im + p.1 * twice_re, p.1);
+                }
+                re[part][k] = choose(bound[k], q.0 * q.0 - q.1 * q.1 + c_re, q.0);
+                im[part][k] = choose(bound[k], q.0 * q.1 + q.1 * q.0 + c_im, q.1);
+            }
+        }
+    }
+    for k in 0..LANES {
+        let growth = |part: usize| {
+            let (p_re, p_im) = (product_re[part][k], product_im[part][k]);
+            let (d_re, d_im) = (direction.re[part], direction.im[part]);
+            let (grown_re, grown_im) = (p_re * d_re - p_im * d_im, p_re * d_im + p_im * d_re);
+            0.5 * (re[part][k] * grown_re + im[part][k] * grown_im)
+        };
+        ends.slope[k] = growth(0) + growth(1);
+    }
+    ends
+}
+
 /// [`Map::proof`] of a map with what it makes of a radius around a number of some size.
 fn proof(
     (mut q, mut radii): (Hypercomplex, [f64; 2]),
@@ -312,7 +351,7 @@ fn proof(
 ) -> Proof {
     let mut none = true;
     for _ in 0..steps {
-        let sizes = [q.0.re.hypot(q.0.im), q.1.re.hypot(q.1.im)];
+        let sizes = [q.re[0].hypot(q.im[0]), q.re[1].hypot(q.im[1])];
         let size2 =
             |at: fn(f64, f64) -> f64| 0.5 * (at(sizes[0], radii[0]).powi(2) + at(sizes[1], radii[1]).powi(2));
         if size2(|n, r| (n - r).max(0.0)) > escape {

@@ -2,16 +2,20 @@
 //!
 //! A point of space is lifted to four numbers by the slice; it is inside if its orbit stays bounded for a number of
 //! steps. Rays march by an estimate of the distance to the set and halve the step where they cross its border.
-use raggio_math::{Aabb, Ray, Vec3, Vec4, poly};
+use raggio_math::{Aabb, Ray, Vec3, Vec4, poly, wide};
 use raggio_scene::{JuliaAlgebra, JuliaFunction};
 
-use super::collect::{Collect, searched_from};
+use super::beyond;
+use super::collect::{Collect, Enough, Nearest, searched_from};
 use super::hypercomplex::{self, Hypercomplex};
 use super::quaternion;
 use crate::{LocalHit, Surface};
-use proved::{Proof, Proved};
+use proved::{Course, Proof, Proved};
+use together::{Ends, From, LANES, Lanes, Law, Orbits};
 
+mod border;
 pub(super) mod proved;
+pub(super) mod together;
 
 const LEAST: f64 = 1e-7;
 /// Borders are found to this.
@@ -48,6 +52,16 @@ impl Map {
         !matches!(self, Map::Hypercomplex(hypercomplex::Map::Function(_)))
     }
 
+    /// What its orbits repeat if they are followed together; or the map whose orbits are not.
+    #[inline(always)]
+    fn law(self) -> Result<Law, hypercomplex::Map> {
+        match self {
+            Map::Quaternion(power) => Ok(Law::Quaternions(power)),
+            Map::Hypercomplex(hypercomplex::Map::Square) => Ok(Law::Squares),
+            Map::Hypercomplex(map) => Err(map),
+        }
+    }
+
     /// Does the march take the very steps of POV-Ray, on which it depends what thin parts are met? Those of quaternions
     /// are too short for that to matter.
     fn strides(self) -> bool {
@@ -62,17 +76,25 @@ struct Look {
     until: f64,
     /// How far the march may go from there.
     step: f64,
-    /// The step at which the orbit escapes and its squared size there, where they were looked at.
-    end: Option<(u32, f64)>,
+    /// The step at which the orbit escapes and its squared size there.
+    end: (u32, f64),
 }
 
-/// A place on a ray near the border.
-#[derive(Clone, Copy)]
-struct Place {
-    t: f64,
-    inside: bool,
-    /// See [`Julia::level`]; not a number where it is unknown.
-    level: f64,
+/// The end of an orbit that was not looked at.
+const UNSEEN: (u32, f64) = (0, f64::NAN);
+
+/// A ray under way.
+struct Way<'a> {
+    ray: &'a Ray,
+    course: Option<(&'a Proved, Course)>,
+    /// What starts on the ray, for maps whose orbits are followed together.
+    orbits: Option<Orbits>,
+    /// How far the next look is thought to be from one that is made.
+    gap: f64,
+    /// What has been seen where the march may come next: the first of the distances that it has not reached.
+    next: usize,
+    ahead: Lanes,
+    ends: Ends,
 }
 
 /// The radius of the ball around the origin that is known to hold a fractal.
@@ -158,54 +180,71 @@ impl Julia {
     }
 
     /// Is the ray inside at a distance, and how far can the march go?
-    #[inline]
-    fn look(&self, ray: &Ray, inverse: Vec3, t: f64) -> Look {
+    #[inline(always)]
+    fn look(&self, way: &mut Way, t: f64) -> Look {
         let step = self.least_step;
-        let Some(proved) = &self.proved else { return self.look_closely(ray, t) };
-        let (proof, until) = proved.at(ray, inverse, t);
+        let Some((proved, course)) = &way.course else { return self.look_closely(way, t) };
+        let (proof, until) = proved.at(course, t);
         match (proof, self.map.strides()) {
             (Proof::Inside, true) => {
                 let steps = ((until - t) / step).floor();
-                Look { inside: true, until: t + steps * step, step, end: None }
+                Look { inside: true, until: t + steps * step, step, end: UNSEEN }
             }
             (Proof::Inside | Proof::Outside, false) => {
-                Look { inside: proof == Proof::Inside, until, step, end: None }
+                Look { inside: proof == Proof::Inside, until, step, end: UNSEEN }
             }
-            _ => self.look_closely(ray, t),
+            _ => self.look_closely(way, t),
         }
     }
 
-    #[inline]
-    fn look_closely(&self, ray: &Ray, t: f64) -> Look {
-        let (p, dir) = (ray.at(t), ray.dir);
-        let q = self.lifted(p);
-        let mut end = None;
-        let (inside, estimate) = match self.map {
-            Map::Quaternion(power) => {
-                let (last, distance) = quaternion::orbit(power, q, self.parameter, self.steps, self.escape);
-                end = Some(last);
-                (distance.is_none(), distance.unwrap_or(self.least_step))
-            }
-            Map::Hypercomplex(map) => {
-                let start = Hypercomplex::from_vec(q);
-                match map.escape(start, self.hyper_parameter(), self.steps, self.escape) {
-                    None => (true, self.least_step),
-                    Some(orbit) => {
-                        let size = orbit.escaped.unwrap_or(self.escape);
-                        let newton = size / (-map.growth_scale() * orbit.growth(dir));
-                        let sane = self.least_step < newton && newton < 30.0 * self.least_step;
-                        (false, if sane { newton } else { self.least_step })
-                    }
-                }
+    #[inline(always)]
+    fn look_closely(&self, way: &mut Way, t: f64) -> Look {
+        let law = match self.map.law() {
+            Ok(law) => law,
+            Err(map) => return self.look_at(map, way.ray, t),
+        };
+        if way.ahead.get(way.next) != Some(&t) {
+            self.look_ahead(way, t);
+        }
+        let (lane, least) = (way.next, self.least_step);
+        way.next += 1;
+        let (end, slope) = (way.ends.last(lane), way.ends.slope[lane]);
+        let inside = end.0 == self.steps;
+        let step = match law {
+            _ if inside => least,
+            Law::Quaternions(_) => quaternion::distance(end.1, slope, least),
+            Law::Squares => self.newton(hypercomplex::Map::Square, end.1, slope),
+        };
+        Look { inside, until: t, step, end }
+    }
+
+    /// Works out what is known at a distance, together with what is known one and more least steps from there.
+    #[inline(never)]
+    fn look_ahead(&self, way: &mut Way, t: f64) {
+        let Some(orbits) = &way.orbits else { return };
+        let (second, least) = (t + way.gap, self.least_step);
+        way.ahead = [t, second, second + least, second + least + least];
+        way.next = 0;
+        way.ends = wide(From(orbits, way.ahead));
+    }
+
+    /// POV-Ray's step from where an orbit escapes.
+    #[inline(always)]
+    fn newton(&self, map: hypercomplex::Map, size2: f64, growth: f64) -> f64 {
+        let (step, least) = (size2 / (-map.growth_scale() * growth), self.least_step);
+        if least < step && step < 30.0 * least { step } else { least }
+    }
+
+    #[inline(never)]
+    fn look_at(&self, map: hypercomplex::Map, ray: &Ray, t: f64) -> Look {
+        let start = Hypercomplex::from_vec(self.lifted(ray.at(t)));
+        let (inside, step) = match map.escape(start, self.hyper_parameter(), self.steps, self.escape) {
+            None => (true, self.least_step),
+            Some(orbit) => {
+                (false, self.newton(map, orbit.escaped.unwrap_or(self.escape), orbit.growth(ray.dir)))
             }
         };
-        // A step that is not a number becomes the least one.
-        Look {
-            inside,
-            until: t,
-            step: if estimate > self.least_step { estimate } else { self.least_step },
-            end,
-        }
+        Look { inside, until: t, step, end: UNSEEN }
     }
 
     /// The part of a ray in the ball and the box that hold the set, not before its start.
@@ -220,25 +259,44 @@ impl Julia {
         Some((if self.map.strides() { enter } else { enter.max(from) }, leave.min(to)))
     }
 
+    fn way<'a>(&'a self, ray: &'a Ray) -> Way<'a> {
+        let line = [self.lifted(ray.origin), ray.dir.extend(-self.along.dot(ray.dir))];
+        let (parameter, steps, escape) = (self.parameter, self.steps, self.escape);
+        Way {
+            ray,
+            course: self.proved.as_ref().map(|proved| (proved, proved.course(ray))),
+            orbits: self.map.law().ok().map(|law| Orbits { law, line, parameter, steps, escape }),
+            gap: self.least_step,
+            next: LANES,
+            ahead: [0.0; LANES],
+            ends: Ends::NONE,
+        }
+    }
+
     fn search(&self, ray: &Ray, to: &mut impl Collect) {
         let Some((mut t, leave)) = self.span(ray) else { return };
         if t >= leave {
             return;
         }
-        let inverse = ray.dir.recip();
-        let clear = |t: f64| match &self.proved {
-            Some(proved) if self.map.strides() => proved.outside_until(ray, inverse, t, leave),
+        let way = &mut self.way(ray);
+        let clear = |way: &Way, t: f64| match &way.course {
+            Some((proved, course)) if self.map.strides() => proved.outside_until(course, t, leave),
             _ => Some(t),
         };
-        let Some(mut outside_until) = clear(t) else { return };
-        let mut now = self.look(ray, inverse, t);
+        let Some(mut outside_until) = clear(way, t) else { return };
+        // Only from within the ball can it start inside.
+        if t <= FINE {
+            way.gap = 2.0 * FINE;
+        }
+        let mut now = self.look(way, t);
         if now.inside {
             t += 2.0 * FINE;
-            now = self.look(ray, inverse, t);
+            now = self.look(way, t);
         }
+        way.gap = self.least_step;
         while now.until < leave && now.until < to.range().1 {
             if now.until > outside_until {
-                match clear(now.until) {
+                match clear(way, now.until) {
                     Some(until) => outside_until = until,
                     None => return,
                 }
@@ -248,64 +306,27 @@ impl Julia {
             if next <= now.until {
                 return;
             }
-            let seen = self.look(ray, inverse, next);
-            if seen.inside != now.inside {
-                to.push(LocalHit::at(self.border(ray, self.place(&now, now.until), self.place(&seen, next))));
+            let seen = self.look(way, next);
+            if seen.inside != now.inside && !to.settles(now.until, next) {
+                let (near, far) = (now.until, next);
+                let (near, far) =
+                    (self.place(near, now.end, now.inside), self.place(far, seen.end, seen.inside));
+                to.push(LocalHit::at(self.border(way, near, far)));
             }
             now = seen;
         }
     }
 
-    fn place(&self, look: &Look, t: f64) -> Place {
-        Place { t, inside: look.inside, level: look.end.map_or(f64::NAN, |end| self.level(end)) }
-    }
-
-    /// How far an orbit that ended in this way is from escaping just at the last step: the logarithm of its size against
-    /// the one at which it would. Sizes after it has escaped are told from its growth, for some steps.
-    fn level(&self, (step, size2): (u32, f64)) -> f64 {
-        let beyond = self.steps.saturating_sub(step + 1);
-        let growth = match self.map {
-            _ if beyond == 0 => 1.0,
-            Map::Quaternion(power) if beyond <= 2 => power.degree().powi(beyond as i32),
-            Map::Hypercomplex(hypercomplex::Map::Square) if beyond <= 2 => 2f64.powi(beyond as i32),
-            _ => return f64::NAN,
-        };
-        growth * size2.ln() - self.escape.ln()
-    }
-
-    /// The border between two distances, just on its inner side. Near the border orbits escape at the last step or not
-    /// at all, and the size there tells where between two points it is.
-    fn border(&self, ray: &Ray, near: Place, far: Place) -> f64 {
-        let (mut a, mut b) = (near, far);
-        let mut share = 0.5;
-        while (b.t - a.t).abs() > FINE {
-            let t = a.t + share * (b.t - a.t);
-            if t == a.t || t == b.t {
-                break;
-            }
-            let (end, left) = (self.last_size(ray.at(t)), a);
-            a = Place { t, inside: end.0 == self.steps, level: self.level(end) };
-            let left = if a.inside == left.inside { left } else { std::mem::replace(&mut b, left) };
-            share = Place::share(a, b, left);
-        }
-        if a.inside { a.t } else { b.t }
-    }
-}
-
-impl Place {
-    /// At which part of the way from `a` to `b`, with the border between, it had best be looked for; `c` was given up
-    /// before. Half way, unless the parabola through all three is to be trusted (Chandrupatla 1997); then far enough from
-    /// either end that the border is soon enclosed.
-    fn share(a: Place, b: Place, c: Place) -> f64 {
-        let (xi, phi) = ((a.t - b.t) / (c.t - b.t), (a.level - b.level) / (c.level - b.level));
-        if !(phi * phi < xi && (1.0 - phi) * (1.0 - phi) < 1.0 - xi) {
-            return 0.5;
-        }
-        let (ab, ac, bc) = (b.level - a.level, c.level - a.level, c.level - b.level);
-        let share =
-            (c.t - a.t) / (b.t - a.t) * (a.level / ac) * (b.level / bc) - (a.level / ab) * (c.level / bc);
-        let nudge = 0.4 * FINE / (b.t - a.t).abs();
-        (share + nudge.copysign(0.5 - share)).max(nudge).min(1.0 - nudge)
+    /// The nearest hit, or one at about the place of any that `stops` says yes to.
+    pub(super) fn closest_or(
+        &self,
+        ray: &Ray,
+        range: (f64, f64),
+        stops: impl FnMut(&LocalHit) -> bool,
+    ) -> Option<LocalHit> {
+        let mut enough = Enough { nearest: Nearest::new(beyond(range, LEAST)), stops };
+        self.search(ray, &mut enough);
+        enough.nearest.best()
     }
 }
 
@@ -355,16 +376,53 @@ mod tests {
         for k in 0..64_000 {
             let p = Vec3::new(f64::from(k % 40), f64::from(k / 40 % 40), f64::from(k / 1600));
             let p = (p / 19.5 - Vec3::ONE) * julia.radius;
-            let (proof, _) = proved.at(&Ray::new(p, Vec3::X), Vec3::INFINITY, 0.0);
-            match proof {
-                Proof::Open => {}
-                _ => assert_eq!(proof == Proof::Inside, julia.stays(p), "{p} {proof:?}"),
+            let ray = Ray::new(p, Vec3::new(0.48, -0.6, 0.64));
+            let (proof, until) = proved.at(&proved.course(&ray), 0.0);
+            for t in [0.0, 0.3, 0.7, 1.0].map(|share| share * until) {
+                let (p, same) = (ray.at(t), |stays| (proof == Proof::Inside) == stays);
+                assert!(proof == Proof::Open || same(julia.stays(p)), "{p} {proof:?}");
             }
             insides += u32::from(proof == Proof::Inside);
             outsides += u32::from(proof == Proof::Outside);
             assert!(!julia.stays(p) || proved.hull.contains(p), "{p} is not in the hull");
         }
         assert!(outsides > 30_000 && insides > 50, "only {outsides} and {insides} are proved");
+    }
+
+    /// Orbits followed together end as they do one by one.
+    #[test]
+    fn orbits_together_end_as_alone() {
+        use JuliaAlgebra::{Hypercomplex, Quaternion};
+        use JuliaFunction::{Cube, Sqr};
+        for (algebra, function) in [(Quaternion, Sqr), (Quaternion, Cube), (Hypercomplex, Sqr)] {
+            let julia = Julia::new(&raggio_scene::Julia {
+                algebra,
+                function,
+                parameter: [-0.083, 0.1, -0.83, -0.025],
+                max_iteration: 8,
+                precision: 20.0,
+                slice: [0.1, 0.3, -0.2, 0.9],
+                slice_distance: 0.05,
+            });
+            let mut seen = [0; 9];
+            for k in 0..400 {
+                let ray = Ray::new(Vec3::new(f64::from(k) / 200.0 - 1.0, 0.3, -2.0), Vec3::Z);
+                let t = [0, 1, 2, 3].map(|lane| 0.7 + f64::from(k % 20) / 50.0 + 0.37 * f64::from(lane));
+                for (t, end) in t.into_iter().zip(julia.ends(&julia.way(&ray), t)) {
+                    let alone = julia.last_size(ray.at(t));
+                    assert_eq!(end.0, alone.0, "{t}");
+                    assert!((end.1 - alone.1).abs() < 1e-9 * alone.1, "{t} {end:?} {alone:?}");
+                    seen[end.0 as usize] += 1;
+                    if algebra == Hypercomplex {
+                        let together = julia.look_closely(&mut julia.way(&ray), t);
+                        let alone = julia.look_at(hypercomplex::Map::Square, &ray, t);
+                        assert_eq!(together.inside, alone.inside);
+                        assert!((together.step - alone.step).abs() < 1e-9, "{t} {}", together.step);
+                    }
+                }
+            }
+            assert!(seen[8] > 20 && seen.iter().filter(|&&n| n > 20).count() > 3, "{seen:?}");
+        }
     }
 
     #[test]

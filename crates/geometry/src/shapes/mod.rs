@@ -351,8 +351,28 @@ impl ShapeKind {
     ) -> Option<LocalHit> {
         match self {
             ShapeKind::Mesh(mesh) => mesh.closest_or(ray, range, stops),
+            ShapeKind::Julia(julia) => julia.closest_or(ray, range, stops),
             _ => self.closest(ray, range),
         }
+    }
+
+    /// Is its search for all hits about as quick as that for the nearest, and are they those that searches for the
+    /// nearest would find one after another?
+    #[inline]
+    pub(crate) fn finds_all_at_once(&self) -> bool {
+        use ShapeKind::{Blob, Julia, Lathe, Ovus, Poly, Sor, SphereSweep, Superellipsoid, Torus};
+        matches!(
+            self,
+            Blob(_)
+                | Julia(_)
+                | Lathe(_)
+                | Ovus(_)
+                | Poly(_)
+                | Sor(_)
+                | SphereSweep(_)
+                | Superellipsoid(_)
+                | Torus(_)
+        )
     }
 
     /// Roughly what questions cost, for their order: 0 for a plane, more for what takes iterations.

@@ -2,6 +2,7 @@
 use raggio_math::{Vec3, Vec4};
 
 use super::julia::proved::Proof;
+use super::julia::together::{Ends, LANES, Lanes, Orbits, choose};
 
 /// What the map does before it adds the parameter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,43 +57,65 @@ impl Power {
     }
 }
 
-/// [`last_size`], with a lower estimate of the distance to the set where the orbit escapes (Hart, Sandin and Kauffman,
-/// 1989).
-#[inline]
-pub(crate) fn orbit(power: Power, q: Vec4, c: Vec4, steps: u32, escape: f64) -> ((u32, f64), Option<f64>) {
-    let mut product2 = 1.0;
-    let (step, size2) = match power {
-        Power::Square => follow(Power::Square, q, c, (steps, escape), |f| product2 *= f),
-        Power::Cube => follow(Power::Cube, q, c, (steps, escape), |f| product2 *= f),
-    };
-    let distance = || 0.25 * (size2 / product2).sqrt() * size2.ln();
-    ((step, size2), (step < steps).then(distance))
+/// [`last_size`] of some orbits together, with the squares of the sizes of the derivatives.
+#[inline(always)]
+pub(crate) fn follow_all(power: Power, orbits: &Orbits, t: Lanes) -> Ends {
+    let Orbits { line: [from, along], parameter: c, steps, escape, .. } = *orbits;
+    let [mut x, mut y, mut z, mut w] = [[0.0; LANES]; 4];
+    for k in 0..LANES {
+        let q = from + along * t[k];
+        (x[k], y[k], z[k], w[k]) = (q.x, q.y, q.z, q.w);
+    }
+    let mut ends = Ends::NONE;
+    ends.slope = [1.0; LANES];
+    // All bits of those that have not escaped.
+    let mut bound = [u64::MAX; LANES];
+    for _ in 0..steps {
+        for k in 0..LANES {
+            let size2 = x[k] * x[k] + y[k] * y[k] + z[k] * z[k] + w[k] * w[k];
+            ends.look(k, &mut bound, size2, escape);
+            ends.slope[k] *= choose(bound[k], power.degree() * power.degree() * size2, 1.0);
+        }
+        if bound == [0; LANES] {
+            break;
+        }
+        for k in 0..LANES {
+            let q = power.of(Vec4::new(x[k], y[k], z[k], w[k])) + c;
+            (x[k], y[k], z[k], w[k]) = (q.x, q.y, q.z, q.w);
+        }
+    }
+    ends
+}
+
+/// A lower estimate of the distance to the set from where an orbit that escapes started (Hart, Sandin and Kauffman,
+/// 1989), if that is more than `least`, from the squares of its size and of that of its derivative.
+#[inline(always)]
+pub(crate) fn distance(size2: f64, slope2: f64, least: f64) -> f64 {
+    // The logarithm is less than the square root.
+    if size2 * size2 < 16.0 * least * least * slope2 {
+        return least;
+    }
+    let distance = 0.25 * (size2 / slope2).sqrt() * size2.ln();
+    if distance > least { distance } else { least }
 }
 
 /// The step at which the orbit escapes, or `steps`, and the squared size of the last number that was looked at.
 pub(crate) fn last_size(power: Power, q: Vec4, c: Vec4, steps: u32, escape: f64) -> (u32, f64) {
     match power {
-        Power::Square => follow(Power::Square, q, c, (steps, escape), |_| ()),
-        Power::Cube => follow(Power::Cube, q, c, (steps, escape), |_| ()),
+        Power::Square => follow(Power::Square, q, c, (steps, escape)),
+        Power::Cube => follow(Power::Cube, q, c, (steps, escape)),
     }
 }
 
-/// [`last_size`] of one power. `each` gets the squares of the sizes of the derivatives of the steps before.
+/// [`last_size`] of one power.
 #[inline(always)]
-fn follow(
-    power: Power,
-    mut q: Vec4,
-    c: Vec4,
-    (steps, escape): (u32, f64),
-    mut each: impl FnMut(f64),
-) -> (u32, f64) {
+fn follow(power: Power, mut q: Vec4, c: Vec4, (steps, escape): (u32, f64)) -> (u32, f64) {
     let mut size2 = 0.0;
     for k in 0..steps {
         size2 = q.length_squared();
         if size2.is_nan() || size2 > escape {
             return (k, size2);
         }
-        each(power.degree() * power.degree() * size2);
         q = power.of(q) + c;
     }
     (steps, size2)

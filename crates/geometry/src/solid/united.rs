@@ -112,7 +112,7 @@ impl Solid {
             return Some(None);
         }
         let mut stretches = Stretches::NONE;
-        if !stretches.add_all(self, parts, &probe.ray, range.0, range.1) {
+        if !stretches.add_all(self, parts, probe.ray, range.0, range.1) {
             return Some(Some(range.0));
         }
         if stretches.len == 0 {

@@ -9,8 +9,7 @@
 use std::arch::x86_64::*;
 
 use super::lattice::{LANES, Octaves, Range};
-use super::tables::{HASH, HASH_BYTES};
-use super::values::VALUES;
+use super::tables::{HASH, HASH_ROWS, ROWS};
 use crate::{EPS, Vec3};
 
 /// Added to a number below 2^51 it leaves the nearest whole number in the low bits of the sum.
@@ -70,25 +69,18 @@ fn numbers(v: Lanes) -> [f64; LANES] {
     out
 }
 
-/// Where the numbers of the eight corners begin, x slowest, z fastest; at most 255.
+/// Where the rows of the eight corners begin, x slowest, z fastest; at most 255 times 4.
 #[inline(always)]
 fn corners([x, y, z]: &[Axis; 3], lane: usize) -> [usize; 8] {
     // SAFETY: cells and hashes lie below 4096, and so does every index.
     let hash = |i: u64| u64::from(unsafe { *HASH.get_unchecked(i as usize) });
-    let byte = |i: u64| usize::from(unsafe { *HASH_BYTES.get_unchecked(i as usize) });
-    let (y0, y1, z0, z1) = (y.cells[lane], y.next[lane], z.cells[lane], z.next[lane]);
-    let (x0, x1) = (hash(x.cells[lane]), hash(x.next[lane]));
+    let row = |i: u64| usize::from(unsafe { *HASH_ROWS.get_unchecked(i as usize) });
+    // Read from memory, where they are: the compiler would take each out of a vector, for which there is one unit.
+    let read = |v: &[u64; LANES]| alone(&v[lane]);
+    let (y0, y1, z0, z1) = (read(&y.cells), read(&y.next), read(&z.cells), read(&z.next));
+    let (x0, x1) = (hash(read(&x.cells)), hash(read(&x.next)));
     let (a, b, c, d) = (hash(x0 ^ y0), hash(x0 ^ y1), hash(x1 ^ y0), hash(x1 ^ y1));
-    [
-        byte(a ^ z0),
-        byte(a ^ z1),
-        byte(b ^ z0),
-        byte(b ^ z1),
-        byte(c ^ z0),
-        byte(c ^ z1),
-        byte(d ^ z0),
-        byte(d ^ z1),
-    ]
+    [row(a ^ z0), row(a ^ z1), row(b ^ z0), row(b ^ z1), row(c ^ z0), row(c ^ z1), row(d ^ z0), row(d ^ z1)]
 }
 
 /// What the corners' numbers are multiplied by, but for the way and the weight along x.
@@ -141,8 +133,8 @@ impl Factors {
 #[target_feature(enable = "avx2")]
 fn side<const M: usize>(corners: &[usize], factors: &[Lanes; 4]) -> Lanes {
     let part = |i: usize| {
-        // SAFETY: corner + 4 M + 3 <= 255 + 8 + 3, the last of 267 values.
-        let row = unsafe { _mm256_loadu_pd(VALUES.as_ptr().add(corners[i] + 4 * M)) };
+        // SAFETY: corner + 16 M + 3 <= 4 * 255 + 32 + 3 lies within the rows. Rows are aligned, and places are multiples of 4.
+        let row = unsafe { _mm256_load_pd(ROWS.0.as_ptr().add(corners[i] + 16 * M)) };
         _mm256_mul_pd(row, factors[i])
     };
     _mm256_add_pd(_mm256_add_pd(part(0), part(1)), _mm256_add_pd(part(2), part(3)))
@@ -196,31 +188,66 @@ extern "C" fn scalar_lanes<const N: usize>(x: Lanes, y: Lanes, z: Lanes) -> Lane
     between(&axes[0], [a.0, b.0, c.0, d.0], [a.1, b.1, c.1, d.1])
 }
 
+/// What vector noise at `N` points is made of.
+struct Cells<const N: usize> {
+    x: Axis,
+    factors: Factors,
+    places: [[usize; 8]; N],
+}
+
+impl<const N: usize> Cells<N> {
+    #[inline]
+    #[target_feature(enable = "avx2")]
+    fn at(p: [Lanes; 3]) -> Cells<N> {
+        let axes = [Axis::at(p[0]), Axis::at(p[1]), Axis::at(p[2])];
+        let factors = Factors::new(&axes[1], &axes[2]);
+        // All hashes first, so that their long chains of loads run side by side.
+        let mut places = [[0; 8]; N];
+        for (lane, place) in places.iter_mut().enumerate() {
+            *place = corners(&axes, lane);
+        }
+        let [x, _, _] = axes;
+        Cells { x, factors, places }
+    }
+
+    /// Raw vector noise, one channel after the other.
+    #[inline]
+    #[target_feature(enable = "avx2")]
+    fn vectors(&self) -> [Lanes; 3] {
+        let sides = |lane: usize| {
+            if lane >= N {
+                return [[_mm256_setzero_pd(); 2]; 3];
+            }
+            let factors = self.factors.of(lane);
+            let (near, far) = self.places[lane].split_at(4);
+            [
+                [side::<0>(near, &factors), side::<0>(far, &factors)],
+                [side::<1>(near, &factors), side::<1>(far, &factors)],
+                [side::<2>(near, &factors), side::<2>(far, &factors)],
+            ]
+        };
+        let (a, b, c, d) = (sides(0), sides(1), sides(2), sides(3));
+        let channel = |m: usize| {
+            between(&self.x, [a[m][0], b[m][0], c[m][0], d[m][0]], [a[m][1], b[m][1], c[m][1], d[m][1]])
+        };
+        [channel(0), channel(1), channel(2)]
+    }
+}
+
 /// Raw vector noise at the first `N` points, one channel after the other.
 #[inline]
 #[target_feature(enable = "avx2")]
 fn vector_lanes<const N: usize>(p: [Lanes; 3]) -> [Lanes; 3] {
-    let axes = [Axis::at(p[0]), Axis::at(p[1]), Axis::at(p[2])];
-    let factors = Factors::new(&axes[1], &axes[2]);
-    // All hashes first, so that their long chains of loads run side by side.
-    let places: [[usize; 8]; N] = std::array::from_fn(|lane| corners(&axes, lane));
-    let sides = |lane: usize| {
-        if lane >= N {
-            return [[_mm256_setzero_pd(); 2]; 3];
-        }
-        let factors = factors.of(lane);
-        let (near, far) = places[lane].split_at(4);
-        [
-            [side::<0>(near, &factors), side::<0>(far, &factors)],
-            [side::<1>(near, &factors), side::<1>(far, &factors)],
-            [side::<2>(near, &factors), side::<2>(far, &factors)],
-        ]
-    };
-    let (a, b, c, d) = (sides(0), sides(1), sides(2), sides(3));
-    let channel = |m: usize| {
-        between(&axes[0], [a[m][0], b[m][0], c[m][0], d[m][0]], [a[m][1], b[m][1], c[m][1], d[m][1]])
-    };
-    [channel(0), channel(1), channel(2)]
+    Cells::<N>::at(p).vectors()
+}
+
+/// The same at four points and `N` others, a sixth faster than one after the other: what the second waits for runs
+/// beside the first.
+#[inline]
+#[target_feature(enable = "avx2")]
+fn two_vector_lanes<const N: usize>(p: [Lanes; 3], q: [Lanes; 3]) -> [[Lanes; 3]; 2] {
+    let (a, b) = (Cells::<LANES>::at(p), Cells::<N>::at(q));
+    [a.vectors(), b.vectors()]
 }
 
 /// The point at the scales of the next four octaves.
@@ -311,7 +338,7 @@ fn ranged(raw: Lanes, range: Range) -> Lanes {
 /// A number read by itself. The compiler joins loads of neighbours, and one that is wider than what was just stored there
 /// has to wait for the stores to be done with.
 #[inline(always)]
-fn alone(v: &f64) -> f64 {
+fn alone<T: Copy>(v: &T) -> T {
     // SAFETY: a reference may be read.
     unsafe { std::ptr::read_volatile(v) }
 }
@@ -373,19 +400,32 @@ fn many_vectors(
 fn summed_vectors(x: f64, y: f64, z: f64, mut scale: f64, lambda: f64, count: usize, omega: f64) -> Vec3 {
     let (mut sum, mut weight) = ([0.0; 3], 1.0);
     let mut left = count;
-    while left > 0 {
+    let mut add = |noise: [Lanes; 3], count: usize| {
+        let [x, y, z] = [numbers(noise[0]), numbers(noise[1]), numbers(noise[2])];
+        for i in 0..count {
+            sum = [sum[0] + x[i] * weight, sum[1] + y[i] * weight, sum[2] + z[i] * weight];
+            weight *= omega;
+        }
+    };
+    while left > LANES {
+        let p = four_octaves(x, y, z, &mut scale, lambda);
+        let q = four_octaves(x, y, z, &mut scale, lambda);
+        let [first, second] = match left - LANES {
+            1 | 2 => two_vector_lanes::<2>(p, q),
+            _ => two_vector_lanes::<4>(p, q),
+        };
+        add(first, LANES);
+        add(second, LANES.min(left - LANES));
+        left = left.saturating_sub(2 * LANES);
+    }
+    if left > 0 {
         let p = four_octaves(x, y, z, &mut scale, lambda);
         let noise = match left {
             1 | 2 => vector_lanes::<2>(p),
             3 => vector_lanes::<3>(p),
             _ => vector_lanes::<4>(p),
         };
-        let [x, y, z] = [numbers(noise[0]), numbers(noise[1]), numbers(noise[2])];
-        for i in 0..left.min(LANES) {
-            sum = [sum[0] + x[i] * weight, sum[1] + y[i] * weight, sum[2] + z[i] * weight];
-            weight *= omega;
-        }
-        left = left.saturating_sub(LANES);
+        add(noise, left);
     }
     Vec3::from(sum)
 }

@@ -1,6 +1,7 @@
 //! Tables made by the language's linear congruential generator.
 use std::sync::LazyLock;
 
+use super::values::VALUES;
 use crate::Vec3;
 
 /// One step of the linear congruential generator, on 32 bits with wrap.
@@ -37,15 +38,30 @@ const fn hash_table() -> [u16; 4096] {
     h
 }
 
-/// The low bytes of [`HASH`]: where the numbers of a corner begin.
-pub(super) static HASH_BYTES: [u8; 4096] = {
-    let mut bytes = [0; 4096];
+/// Of each hash: where its corner's numbers begin in [`ROWS`].
+pub(super) static HASH_ROWS: [u16; 4096] = {
+    let mut rows = [0; 4096];
     let mut i = 0;
     while i < 4096 {
-        bytes[i] = HASH_TABLE[i] as u8;
+        rows[i] = (HASH_TABLE[i] & 255) * 4;
         i += 1;
     }
-    bytes
+    rows
+};
+
+/// What corners read, four numbers in a row: as they lie in [`VALUES`] three rows in eight cross a cache line.
+#[repr(align(64))]
+pub(super) struct Rows(pub [f64; 4 * 264]);
+
+/// Row `k + 4 m` is for corner `k` and channel `m`.
+pub(super) static ROWS: Rows = {
+    let mut rows = [0.0; 4 * 264];
+    let mut i = 0;
+    while i < rows.len() {
+        rows[i] = VALUES[i / 4 + i % 4];
+        i += 1;
+    }
+    Rows(rows)
 };
 
 /// Number of gradients, and the period of gradient noise.

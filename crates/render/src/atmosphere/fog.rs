@@ -76,8 +76,7 @@ pub(super) fn apply(fogs: &[Fog], ray: &Ray, depth: f64, seen: &mut Seen) {
         own += fog.color.rgb * (1.0 - clear);
         filter *= fog.filter(clear);
     }
-    seen.rgb = own + seen.rgb * filter;
-    seen.transmit *= grey(filter);
+    *seen = Seen::new(own + seen.rgb() * filter, seen.transmit() * grey(filter));
 }
 
 /// What the fogs leave of light, without their own colour.
@@ -102,11 +101,11 @@ mod tests {
 
     #[test]
     fn even_fog_thins_out_exponentially() {
-        let mut seen = Seen { rgb: Rgb::ONE, transmit: 1.0 };
+        let mut seen = Seen::new(Rgb::ONE, 1.0);
         apply(&[fog(FogKind::Constant)], &Ray::new(Vec3::ZERO, Vec3::Z), 5.0, &mut seen);
         let a = (-0.5f32).exp();
-        assert!((seen.rgb - (Rgb::new(0.5, 0.25, 1.0) * (1.0 - a) + Rgb::splat(a))).length() < 1e-6);
-        assert!((seen.transmit - a).abs() < 1e-6);
+        assert!((seen.rgb() - (Rgb::new(0.5, 0.25, 1.0) * (1.0 - a) + Rgb::splat(a))).length() < 1e-6);
+        assert!((seen.transmit() - a).abs() < 1e-6);
     }
 
     #[test]
@@ -124,8 +123,8 @@ mod tests {
     #[test]
     fn two_fogs_multiply_what_lies_behind_and_add_their_own() {
         let fogs = [fog(FogKind::Constant), fog(FogKind::Constant)];
-        let mut seen = Seen { rgb: Rgb::ZERO, transmit: 0.0 };
+        let mut seen = Seen::BLACK;
         apply(&fogs, &Ray::new(Vec3::ZERO, Vec3::Z), 5.0, &mut seen);
-        assert!((seen.rgb.x - (1.0 - (-0.5f32).exp())).abs() < 1e-6);
+        assert!((seen.rgb().x - (1.0 - (-0.5f32).exp())).abs() < 1e-6);
     }
 }

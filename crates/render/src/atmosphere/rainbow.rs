@@ -115,15 +115,14 @@ fn look_up(map: &ColorMap, value: f64) -> Color {
 pub(super) fn apply(bows: &[Rainbow], ray: &Ray, depth: f64, random: &mut Stream, seen: &mut Seen) {
     let (mut sum, mut count, mut through) = (Rgb::ZERO, 0.0, 1.0);
     for bow in bows {
-        if let Some((rgb, clear)) = bow.over(ray, depth, random, seen.rgb) {
+        if let Some((rgb, clear)) = bow.over(ray, depth, random, seen.rgb()) {
             sum += rgb;
             count += 1.0;
             through *= clear;
         }
     }
     if count > 0.0 {
-        seen.rgb = sum / count;
-        seen.transmit *= through;
+        *seen = Seen::new(sum / count, seen.transmit() * through);
     }
 }
 
@@ -153,7 +152,7 @@ mod tests {
 
     fn seen_at(degrees: f64) -> Seen {
         let angle = degrees.to_radians();
-        let mut seen = Seen { rgb: Rgb::ONE, transmit: 1.0 };
+        let mut seen = Seen::new(Rgb::ONE, 1.0);
         let ray = Ray::new(Vec3::ZERO, Vec3::new(0.0, angle.sin(), angle.cos()));
         apply(&[bow()], &ray, FAR, &mut Stream::default(), &mut seen);
         seen
@@ -162,12 +161,12 @@ mod tests {
     #[test]
     fn the_bow_stands_at_its_angle() {
         let red = seen_at(40.0 + 1e-6);
-        assert!((red.rgb - Rgb::new(1.0, 0.5, 0.5)).length() < 1e-4, "{red:?}");
+        assert!((red.rgb() - Rgb::new(1.0, 0.5, 0.5)).length() < 1e-4, "{red:?}");
         let middle = seen_at(42.0);
-        assert!((middle.rgb - Rgb::new(0.75, 0.5, 0.75)).length() < 1e-4);
-        assert!((middle.transmit - 0.25).abs() < 1e-6);
+        assert!((middle.rgb() - Rgb::new(0.75, 0.5, 0.75)).length() < 1e-4);
+        assert!((middle.transmit() - 0.25).abs() < 1e-6);
         for outside in [39.9, 44.1, 120.0] {
-            assert_eq!(seen_at(outside), Seen { rgb: Rgb::ONE, transmit: 1.0 });
+            assert_eq!(seen_at(outside), Seen::new(Rgb::ONE, 1.0));
         }
     }
 }

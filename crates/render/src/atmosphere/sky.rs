@@ -51,19 +51,19 @@ impl Dome {
         }
         if !alpha {
             let ground = self.background.map_or(Rgb::ZERO, |b| b.rgb * (1.0 - b.transmit));
-            return Seen { rgb: rgb + ground * filter, transmit: 0.0 };
+            return Seen::opaque(rgb + ground * filter);
         }
         let clear = Color { rgb: Rgb::ZERO, filter: 0.0, transmit: 1.0 };
         let ground = self.background.unwrap_or(clear);
         rgb += ground.rgb * ground.opacity() * filter;
         filter *= ground.transmission();
-        Seen { rgb, transmit: grey(filter).abs().min(1.0) }
+        Seen::new(rgb, grey(filter).abs().min(1.0))
     }
 
     /// The rules before 3.7: no sky at all in pictures with alpha.
     fn classic(&self, dir: Vec3, alpha: bool) -> Seen {
         if alpha {
-            return Seen { rgb: Rgb::ZERO, transmit: 1.0 };
+            return Seen::new(Rgb::ZERO, 1.0);
         }
         let ground = self.background.map_or(Rgb::ZERO, |b| b.rgb);
         let mut sky = Rgb::ZERO;
@@ -78,7 +78,7 @@ impl Dome {
             through = product.filter.abs() + product.transmit.abs();
         }
         let behind = if self.layers.is_empty() { Rgb::ONE } else { product.transmission() };
-        Seen { rgb: sky * self.emission + ground * behind, transmit: 0.0 }
+        Seen::opaque(sky * self.emission + ground * behind)
     }
 }
 
@@ -94,7 +94,7 @@ mod tests {
     fn backgrounds_with_and_without_alpha() {
         let half = Some([0.5, 0.5, 0.5, 0.0, 0.25]);
         let near = |s: Seen, v: f32, t: f32| {
-            assert!((s.rgb - Rgb::splat(v)).length() < 1e-6 && (s.transmit - t).abs() < 1e-6, "{s:?}");
+            assert!((s.rgb() - Rgb::splat(v)).length() < 1e-6 && (s.transmit() - t).abs() < 1e-6, "{s:?}");
         };
         near(dome(half, true).miss(Vec3::Z, false), 0.375, 0.0);
         near(dome(half, true).miss(Vec3::Z, true), 0.375, 0.25);

@@ -94,7 +94,10 @@ impl Camera {
     /// has none. `shift` moves the ray on the lens.
     pub fn ray(&self, x: f64, y: f64, frame: Frame, shift: Option<&LensSample>) -> Option<Ray> {
         let place = Place { px: (x + 0.5) / frame.width - 0.5, py: 0.5 - (y + 0.5) / frame.height };
-        let raw = self.raw_ray(place)?;
+        let raw = match self.kind {
+            CameraKind::Perspective => planar::perspective(&self.axes, place),
+            _ => self.raw_ray(place)?,
+        };
         let (origin, dir) = match (shift, &self.lens) {
             (Some(sample), Some(lens)) => lens.shifted(sample, self.axes.location, raw.dir),
             _ => (raw.origin, raw.dir),
@@ -114,6 +117,8 @@ impl Camera {
         self.interiors.as_deref()
     }
 
+    /// Not inlined: what the usual camera makes stays in registers so.
+    #[inline(never)]
     fn raw_ray(&self, place: Place) -> Option<RawRay> {
         let axes = &self.axes;
         match &self.kind {

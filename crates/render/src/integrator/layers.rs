@@ -1,5 +1,6 @@
 //! A plain texture: its layers from the top down, then what shines through and what is mirrored (light spec,
 //! section 3.2).
+use glam::Vec3A;
 use raggio_image::{Color, Rgb, grey};
 use raggio_math::{EPS, Vec3};
 use raggio_scene::{Finish, Irid};
@@ -90,7 +91,7 @@ impl Tracer<'_> {
         let rgb = self.shine(point, &layer.finish, &look, Rgb::ONE, &mut Shared::default());
         below.cover(&look, &layer.finish, mirror.as_ref());
         if below.through <= self.bailout && mirror.is_none() {
-            return Seen { rgb, transmit: 0.0 };
+            return Seen::opaque(rgb);
         }
         let top = Top { n: look.n, irid: layer.finish.irid.as_ref() };
         self.beyond(point, rgb, &below, &top, mirror.as_slice())
@@ -177,7 +178,7 @@ impl Tracer<'_> {
             own += self.light_around(point, finish, *n, grey(filter * tint), &mut shared.around);
         }
         let lit = match &self.radiosity {
-            Some(state) if state.skips_lights() => Rgb::ZERO,
+            Some(state) if state.skips_lights() => Vec3A::ZERO,
             _ => self.light_of_lights(point, finish, n, &color.rgb, opacity),
         };
         let thrown = match &self.photons {
@@ -186,7 +187,7 @@ impl Tracer<'_> {
             }
             _ => Rgb::ZERO,
         };
-        tint * own + lit + thrown
+        tint * own + Rgb::from(lit) + thrown
     }
 
     /// What a layer sends back of the light of lights. Light from under the surface takes the place of diffuse light.
@@ -197,11 +198,11 @@ impl Tracer<'_> {
         n: &Vec3,
         rgb: &Rgb,
         opacity: f32,
-    ) -> Rgb {
+    ) -> Vec3A {
         let below = finish.subsurface.and_then(|_| self.light_from_below(point, finish, *n, *rgb));
         let shiny = below.map(|_| Finish { diffuse: 0.0, diffuse_back: 0.0, ..*finish });
         let reflected = self.local_light(point, shiny.as_ref().unwrap_or(finish), n, rgb, opacity);
-        below.map_or(reflected, |below| below + reflected)
+        below.map_or(reflected, |below| Vec3A::from(below) + reflected)
     }
 
     /// What a layer sends back of the light of other surfaces, before it is tinted; `share` of it is seen.
@@ -254,7 +255,7 @@ impl Tracer<'_> {
             }
             through = grey(filter).abs().min(1.0);
         }
-        Seen { rgb, transmit: 0.0 }
+        Seen::opaque(rgb)
     }
 
     /// Adds what shines through and what the layers mirror.
@@ -267,7 +268,7 @@ impl Tracer<'_> {
         top: &Top<'_>,
         mirrors: &[Mirror],
     ) -> Seen {
-        let mut seen = Seen { rgb: light, transmit: 0.0 };
+        let (mut rgb, mut transmit) = (light, 0.0);
         let mut total = false;
         if below.through > self.bailout && self.quality.refraction() {
             let weight = point.beam.weight * below.filter.abs().max_element();
@@ -275,19 +276,19 @@ impl Tracer<'_> {
             let fade = self.world.interior(point.material.interior).seen_through(point);
             total = behind.total;
             if total {
-                seen.rgb += fade * behind.seen.rgb * self.film(top.irid, point, top.n);
+                rgb += fade * behind.seen.rgb() * self.film(top.irid, point, top.n);
             } else {
                 let filter = if below.colored { below.filter } else { Rgb::ONE };
-                seen.rgb += fade * behind.seen.rgb * filter;
-                seen.transmit = grey(fade) * behind.seen.transmit * below.through;
+                rgb += fade * behind.seen.rgb() * filter;
+                transmit = grey(fade) * behind.seen.transmit() * below.through;
             }
         }
         for mirror in mirrors {
             let same = (mirror.n - top.n).abs().max_element() < EPS;
             if !(total && same) {
-                seen.rgb += self.mirrored(point, mirror);
+                rgb += self.mirrored(point, mirror);
             }
         }
-        seen
+        Seen::new(rgb, transmit)
     }
 }

@@ -1,12 +1,14 @@
 //! A layer's answer to the lights: diffuse, highlights, iridescence (light spec, section 4).
 use std::f64::consts::{FRAC_PI_2, TAU};
 
+use glam::Vec3A;
 use raggio_geometry::RayClass;
 use raggio_image::Rgb;
 use raggio_math::{EPS, Vec3, noise};
 use raggio_scene::{Finish, Irid};
 
 use super::Tracer;
+use super::lobes::Lobes;
 use super::surface::SurfacePoint;
 use crate::lights::LightSource;
 
@@ -34,7 +36,7 @@ pub(super) fn tinted(light: Rgb, metallic: f32, cosine: f64, rgb: Rgb) -> Rgb {
 }
 
 impl Tracer<'_> {
-    /// What a layer sends back of all lights.
+    /// What a layer sends back of all lights; as a vector of four numbers, which can be handed on as a whole.
     #[inline]
     pub(super) fn local_light(
         &mut self,
@@ -43,18 +45,18 @@ impl Tracer<'_> {
         n: &Vec3,
         rgb: &Rgb,
         opacity: f32,
-    ) -> Rgb {
+    ) -> Vec3A {
         let dull = finish.diffuse == 0.0 && finish.diffuse_back == 0.0;
         if dull && finish.specular == 0.0 && finish.phong == 0.0 {
-            return Rgb::ZERO;
+            return Vec3A::ZERO;
         }
         let lit = Lit::new(point, finish, n, rgb, opacity);
-        let mut sum = Rgb::ZERO;
+        let mut sum = Vec3A::ZERO;
         for (i, &light) in point.lights.iter().enumerate() {
             let source = &self.world.lights[light as usize];
             let wide = self.quality.area_lights() && source.area.as_ref().is_some_and(|a| a.illumination);
             let share = if wide {
-                self.light_by_area(point, &lit, i, source)
+                self.light_by_area(point, &lit, i, source).into()
             } else {
                 self.light_by_centre(point, &lit, i, source)
             };
@@ -71,21 +73,21 @@ impl Tracer<'_> {
         lit: &Lit<'_>,
         i: usize,
         source: &LightSource,
-    ) -> Rgb {
+    ) -> Vec3A {
         let p = point.surface.p;
         let path = source.path(p);
         let cosine = lit.n.dot(path.dir);
-        let Some(back) = facing(point, lit, cosine) else { return Rgb::ZERO };
+        let Some(back) = facing(point, lit, cosine) else { return Vec3A::ZERO };
         let collects = point.material.photons.collect.unwrap_or(true);
         let light = self.arriving_once(point, i, |tracer| {
             let bare = source.arriving(p, &path, source.position);
             tracer.after_shadows(source, p, &path, bare, point.beam.interiors, collects)
         });
         if light.abs().max_element() <= EPS as f32 {
-            return Rgb::ZERO;
+            return Vec3A::ZERO;
         }
-        let sum = self.answer(lit, light, (&path.dir, cosine), back, !source.shadowless);
-        self.iridescent(point, lit, &path.dir, sum)
+        let sum = self.answer(lit, light, (&path.dir, cosine), back, !source.shadowless, f32::powf);
+        self.iridescent(point, lit, &path.dir, sum).into()
     }
 
     /// `area_illumination`: every point of the light lights by its own direction, all share one shadow.
@@ -118,7 +120,7 @@ impl Tracer<'_> {
             let cosine = lit.n.dot(path.dir);
             let Some(back) = facing(point, lit, cosine) else { continue };
             let light = each * source.attenuation(p, &path, from) as f32;
-            let answer = self.answer(lit, light, (&path.dir, cosine), back, !source.shadowless);
+            let answer = self.answer(lit, light, (&path.dir, cosine), back, !source.shadowless, f32::powf);
             sum += self.iridescent(point, lit, &path.dir, answer);
         }
         sum
@@ -132,19 +134,22 @@ impl Tracer<'_> {
         n: Vec3,
         (rgb, opacity): (Rgb, f32),
         lights: impl Iterator<Item = (Vec3, Rgb)>,
+        lobes: &mut Lobes,
     ) -> Rgb {
+        lobes.begin(finish.brilliance);
         let lit = Lit::new(point, finish, &n, &rgb, opacity);
         let mut sum = Rgb::ZERO;
         for (dir, light) in lights {
             let cosine = n.dot(dir);
             if let Some(back) = facing(point, &lit, cosine) {
-                sum += self.answer(&lit, light, (&dir, cosine), back, true);
+                sum += self.answer(&lit, light, (&dir, cosine), back, true, |cosine, _| lobes.power(cosine));
             }
         }
         sum
     }
 
-    /// Diffuse light and, from `shiny` lights, highlights for light from a direction with its cosine.
+    /// Diffuse light and, from `shiny` lights, highlights for light from a direction with its cosine. `power` raises
+    /// cosines to the finish's `brilliance`.
     #[inline(always)]
     fn answer(
         &mut self,
@@ -153,13 +158,14 @@ impl Tracer<'_> {
         (dir, cosine): (&Vec3, f64),
         back: bool,
         shiny: bool,
+        power: impl FnOnce(f32, f32) -> f32,
     ) -> Rgb {
         let finish = lit.finish;
         let mut sum = Rgb::ZERO;
         let diffuse = if back { finish.diffuse_back } else { finish.diffuse };
         if diffuse > 0.0 {
             let facing = cosine.abs() as f32;
-            let lobe = if finish.brilliance == 1.0 { facing } else { facing.powf(finish.brilliance) };
+            let lobe = if finish.brilliance == 1.0 { facing } else { power(facing, finish.brilliance) };
             let mut intensity = lobe * diffuse * lit.opacity;
             if finish.crand > 0.0 {
                 intensity -= self.streams.numbers().crand.next() as f32 * finish.crand;

@@ -3,9 +3,11 @@ mod dispersion;
 mod footprint;
 mod interiors;
 mod layers;
+pub(crate) mod lobes;
 mod local;
 pub(crate) mod reflection;
 pub(crate) mod refraction;
+mod seen;
 pub(crate) mod surface;
 mod textures;
 
@@ -22,6 +24,7 @@ use crate::{photons, radiosity};
 pub use footprint::PixelCone;
 pub use interiors::toggle;
 pub(crate) use refraction::fade;
+pub use seen::Seen;
 pub use textures::{NormalPath, for_each_plain, placed};
 
 /// The interiors around a ray, in the order in which it entered them.
@@ -31,7 +34,7 @@ pub type Interiors = SmallVec<[InteriorId; 8]>;
 #[derive(Clone, Copy, Debug)]
 pub struct Beam<'a> {
     /// Where it goes.
-    pub ray: Ray,
+    pub ray: &'a Ray,
     /// What it is inside of.
     pub interiors: &'a [InteriorId],
     /// How much it counts for the picture.
@@ -44,20 +47,6 @@ pub struct Beam<'a> {
     pub wavelength: Option<f64>,
     /// Hits beyond do not count.
     pub reach: f64,
-}
-
-/// What a ray sees.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Seen {
-    /// Light, premultiplied.
-    pub rgb: Rgb,
-    /// What is seen through.
-    pub transmit: f32,
-}
-
-impl Seen {
-    /// Opaque black.
-    pub const BLACK: Seen = Seen { rgb: Rgb::ZERO, transmit: 0.0 };
 }
 
 /// What the quality option leaves on (light spec, section 8).
@@ -186,8 +175,9 @@ impl<'w> Tracer<'w> {
         if self.level >= self.max_level || beam.weight < self.bailout || self.stack_is_spent() {
             return Seen::BLACK;
         }
-        let hit = self.world.geometry.closest(&beam.ray, (MIN_HIT, beam.reach), beam.class);
-        self.follow(beam, hit.as_ref(), continued)
+        let mut hit = Hit::NONE;
+        let found = self.world.geometry.closest_into(beam.ray, (MIN_HIT, beam.reach), beam.class, &mut hit);
+        self.follow(beam, found.then_some(&hit), continued)
     }
 
     /// What a ray sees whose nearest hit is known.
@@ -217,18 +207,18 @@ impl<'w> Tracer<'w> {
     fn atmosphere(&mut self, beam: &Beam<'_>, hit: Option<&Hit>, seen: &mut Seen) {
         let world = self.world;
         let depth = hit.map_or(FAR, |hit| hit.t);
-        world.sky.rainbows(&beam.ray, depth, &mut self.streams.numbers().lights, seen);
+        world.sky.rainbows(beam.ray, depth, &mut self.streams.numbers().lights, seen);
         if !world.air.is_empty() {
             let lights = match hit {
                 Some(hit) => {
-                    let surface = world.geometry.interaction(&beam.ray, hit);
+                    let surface = world.geometry.interaction(beam.ray, hit);
                     world.light_sets.of(world.material(&surface))
                 }
                 None => world.light_sets.global(),
             };
             self.media_along(&[&world.air], beam, depth, lights, seen);
         }
-        world.sky.fogs(&beam.ray, depth, seen);
+        world.sky.fogs(beam.ray, depth, seen);
     }
 }
 

@@ -78,8 +78,8 @@ impl Tracer<'_> {
         if mirror.reflectivity == Rgb::ZERO || !self.quality.reflection() {
             return Rgb::ZERO;
         }
-        let beam = reflected(point, mirror.n, mirror.weight);
-        let rgb = self.trace(&beam, false).rgb;
+        let ray = reflected_ray(point, mirror.n);
+        let rgb = self.trace(&reflected(point, &ray, mirror.weight), false).rgb();
         mirror.apply(rgb) * mirror.film
     }
 }
@@ -93,8 +93,14 @@ impl Mirror {
     }
 }
 
-/// The ray that a surface mirrors.
-pub(crate) fn reflected<'a>(point: &SurfacePoint<'a>, n: Vec3, weight: f32) -> Beam<'a> {
+/// Where a surface mirrors a ray to.
+#[inline]
+pub(crate) fn reflected_ray(point: &SurfacePoint<'_>, n: Vec3) -> Ray {
+    Ray::new(point.surface.p, reflected_direction(point.beam.ray.dir, n, point.n))
+}
+
+/// The beam along a ray that a surface mirrors.
+pub(crate) fn reflected<'a>(point: &SurfacePoint<'a>, ray: &'a Ray, weight: f32) -> Beam<'a> {
     let beam = point.beam;
     let class = match beam.class {
         RayClass::Camera => RayClass::Reflected,
@@ -102,7 +108,7 @@ pub(crate) fn reflected<'a>(point: &SurfacePoint<'a>, n: Vec3, weight: f32) -> B
         other => other,
     };
     Beam {
-        ray: Ray::new(point.surface.p, reflected_direction(beam.ray.dir, n, point.n)),
+        ray,
         interiors: beam.interiors,
         weight,
         class,

@@ -5,7 +5,7 @@ use raggio_scene::Interior;
 
 use super::dispersion;
 use super::interiors::Crossing;
-use super::reflection::reflected;
+use super::reflection::{reflected, reflected_ray};
 use super::surface::SurfacePoint;
 use super::{Beam, Seen, Tracer};
 use crate::world::{World, WorldInterior};
@@ -39,8 +39,7 @@ impl Tracer<'_> {
         let world = self.world;
         world.bend(point, n, weight, &mut |bent| {
             let seen = self.trace(&bent.beam, bent.straight);
-            behind.seen.rgb += seen.rgb * bent.hue;
-            behind.seen.transmit += seen.transmit * bent.share;
+            behind.seen.add_share(&seen, bent.hue, bent.share);
             behind.total = bent.total && bent.share == 1.0;
         });
         behind
@@ -60,7 +59,8 @@ impl World {
         let spreads = crossing.dispersion != 1.0;
         let own = point.beam.wavelength;
         if (crossing.eta - 1.0).abs() < EPS && !spreads {
-            let beam = through(point, point.beam.ray.dir, weight, &crossing);
+            let ray = Ray::new(point.surface.p, point.beam.ray.dir);
+            let beam = through(point, &ray, weight, &crossing);
             return each(Bent { beam, hue: Rgb::ONE, share: 1.0, total: false, straight: true });
         }
         let mut one = |wavelength: Option<f64>, hue: Rgb, share: f32| {
@@ -68,12 +68,17 @@ impl World {
                 Some(wavelength) if spreads => dispersion::eta(&crossing, wavelength),
                 _ => crossing.eta,
             };
-            let (mut beam, total) = match refracted_direction(point.beam.ray.dir, n, eta) {
-                Some(dir) => (through(point, dir, weight, &crossing), false),
-                None => (reflected(point, n, weight), true),
+            let refracted = refracted_direction(point.beam.ray.dir, n, eta);
+            let total = refracted.is_none();
+            let ray = match refracted {
+                Some(dir) => Ray::new(point.surface.p, dir),
+                None => reflected_ray(point, n),
             };
-            beam.wavelength = wavelength;
-            each(Bent { beam, hue, share, total, straight: false });
+            let beam = match total {
+                false => through(point, &ray, weight, &crossing),
+                true => reflected(point, &ray, weight),
+            };
+            each(Bent { beam: Beam { wavelength, ..beam }, hue, share, total, straight: false });
         };
         if !spreads || own.is_some() {
             return one(own, Rgb::ONE, 1.0);
@@ -87,9 +92,9 @@ impl World {
     }
 }
 
-fn through<'a>(point: &SurfacePoint<'_>, dir: Vec3, weight: f32, crossing: &'a Crossing) -> Beam<'a> {
+fn through<'a>(point: &SurfacePoint<'_>, ray: &'a Ray, weight: f32, crossing: &'a Crossing) -> Beam<'a> {
     Beam {
-        ray: Ray::new(point.surface.p, dir),
+        ray,
         interiors: &crossing.interiors,
         weight,
         class: point.beam.class,

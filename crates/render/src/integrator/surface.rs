@@ -1,5 +1,5 @@
 //! The colour of a surface point: all its textures, then the media before it (light spec, section 3.2).
-use raggio_geometry::{Hit, Interaction, Material, TextureUse};
+use raggio_geometry::{Hit, Interaction, Material, TextureUse, TextureUses};
 use raggio_image::Rgb;
 use raggio_math::Vec3;
 use raggio_shading::{Context, Layer, Texture};
@@ -41,7 +41,7 @@ impl<'w> Tracer<'w> {
     /// What a ray sees that hit a surface.
     pub(super) fn surface(&mut self, beam: &Beam<'_>, hit: &Hit) -> Seen {
         let world = self.world;
-        let surface = world.geometry.interaction(&beam.ray, hit);
+        let surface = world.geometry.interaction(beam.ray, hit);
         let material = world.material(&surface);
         let lights = world.light_sets.of(material);
         let alone = self.single_layer(&surface);
@@ -74,7 +74,7 @@ impl<'w> Tracer<'w> {
 
     /// The texture of a surface that has but one, of one layer.
     fn single_layer(&self, surface: &Interaction) -> Option<(&'w WorldTexture, &'w Layer)> {
-        let [TextureUse { texture, weight: 1.0 }] = surface.textures[..] else { return None };
+        let TextureUses::One(TextureUse { texture, weight: 1.0 }) = surface.textures else { return None };
         let texture = self.world.texture(texture);
         let Texture::Layers(layers) = &*texture.texture else { return None };
         let [layer] = &layers[..] else { return None };
@@ -87,7 +87,7 @@ impl<'w> Tracer<'w> {
         let world = self.world;
         let context = point.context();
         let (mut rgb, mut transmit) = (Rgb::ZERO, 0.0);
-        for used in &point.surface.textures {
+        for used in point.surface.textures.as_slice() {
             if used.weight < self.bailout {
                 continue;
             }
@@ -101,12 +101,12 @@ impl<'w> Tracer<'w> {
                 &context,
                 &mut |layers, p, share, path| {
                     let seen = self.layers(point, layers, (p, path), &context);
-                    rgb += seen.rgb * share;
-                    transmit += seen.transmit * share;
+                    rgb += seen.rgb() * share;
+                    transmit += seen.transmit() * share;
                 },
             );
         }
-        Seen { rgb, transmit }
+        Seen::new(rgb, transmit)
     }
 
     /// The light that arrives at a point from its `i`th light after shadows, worked out once for all layers.

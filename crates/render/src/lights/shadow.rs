@@ -220,7 +220,7 @@ impl World {
         let context = Context { normal: Some(n), point: surface.p, ray_dir: ray.dir, uv: surface.uv };
         let caustics = self.interior(material.interior).interior.caustics;
         let mut sum = Rgb::ZERO;
-        for used in &surface.textures {
+        for used in surface.textures.as_slice() {
             let texture = self.texture(used.texture);
             let (path, p) = placed(texture, surface, material);
             for_each_plain(

@@ -20,13 +20,39 @@ pub(super) struct Along<'a> {
     pub interiors: &'a [InteriorId],
     /// Only dimming counts.
     pub shadow: bool,
+    /// What all media together are, where that is the same everywhere.
+    pub even: Option<Stuff>,
+}
+
+/// What all media together are at a point, before any light.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Stuff {
+    glow: Rgb,
+    dim: Rgb,
+    scattered: Rgb,
 }
 
 impl<'a> Along<'a> {
     /// A segment of a ray through some media of which one leads. Only dimming counts, and no lights.
     pub(super) fn new(media: Joined<'a>, leader: &'a Medium, ray: Ray, interiors: &'a [InteriorId]) -> Self {
         let aa_threshold = media.iter().map(|m| m.sampling.aa_threshold).fold(f32::INFINITY, f32::min);
-        Along { media, leader, aa_threshold, ray, lights: LitRanges::new(), interiors, shadow: true }
+        let even = Stuff::sum(&media, |medium| medium.even);
+        Along { media, leader, aa_threshold, ray, lights: LitRanges::new(), interiors, shadow: true, even }
+    }
+}
+
+impl Stuff {
+    /// The sum over media, if every density is known.
+    #[inline]
+    fn sum(media: &Joined<'_>, density: impl Fn(&Medium) -> Option<Rgb>) -> Option<Stuff> {
+        let mut sum = Stuff::default();
+        for medium in media {
+            let density = density(medium)?;
+            sum.dim += density * medium.extinction;
+            sum.glow += density * medium.emission;
+            sum.scattered += medium.scattering.map_or(Rgb::ZERO, |s| density * s.color);
+        }
+        Some(sum)
     }
 }
 
@@ -174,6 +200,18 @@ impl Tracer<'_> {
     fn adaptive(&mut self, along: &Along<'_>, interval: &mut Interval) {
         let sampling = &along.leader.sampling;
         let n = sampling.steps();
+        let level = sampling.aa_level as i32 - 1;
+        if let Some(sample) = self.steady(along, interval) {
+            self.streams.numbers().media.skip(2 * n + 1);
+            let mean = refine(&mut |_, _| sample, (0.0, 1.0), sample, sample, level, along.aa_threshold);
+            let (mut glow, mut depth) = (Rgb::ZERO, Rgb::ZERO);
+            for _ in 0..n {
+                glow += seen_through(mean.glow, depth / n as f32);
+                depth += mean.dim;
+            }
+            (interval.glow, interval.depth, interval.samples) = (glow, depth, n as f32);
+            return;
+        }
         let step = 1.0 / f64::from(n + 1);
         let jittered = |tracer: &mut Self, d: f64, width: f64| {
             let d = d + width * sampling.jitter * (tracer.streams.numbers().media.next() - 0.5);
@@ -186,10 +224,9 @@ impl Tracer<'_> {
         for j in 1..=n {
             let here = jittered(self, f64::from(j) * step, step);
             let ends = (f64::from(j - 1) * step, f64::from(j) * step);
-            let level = sampling.aa_level as i32 - 1;
             let mut sample = |d, width| jittered(self, d, width);
             let mean = refine(&mut sample, ends, before, here, level, along.aa_threshold);
-            glow += mean.glow * exp(-depth / n as f32);
+            glow += seen_through(mean.glow, depth / n as f32);
             depth += mean.dim;
             before = here;
         }
@@ -198,17 +235,22 @@ impl Tracer<'_> {
         interval.samples = n as f32;
     }
 
+    /// The sample of method 3 that all of an interval are alike, if they are: even stuff out of the light.
+    fn steady(&self, along: &Along<'_>, interval: &Interval) -> Option<Sample> {
+        let stuff = along.even.filter(|_| along.aa_threshold >= 0.0)?;
+        let dark = !interval.lit && self.photons.is_none();
+        let length = interval.length as f32;
+        let sample = Sample { glow: stuff.glow * length, dim: stuff.dim * length };
+        (dark || stuff.scattered == Rgb::ZERO).then_some(sample)
+    }
+
     /// What all media together do at distance `t`.
     pub(super) fn medium_at(&mut self, along: &Along<'_>, t: f64, lit: bool) -> Sample {
         let p = along.ray.at(t);
-        let (mut glow, mut dim, mut scattered) = (Rgb::ZERO, Rgb::ZERO, Rgb::ZERO);
-        for medium in &along.media {
-            let density = medium.density(p, along.ray.dir);
-            dim += density * medium.extinction;
-            if !along.shadow {
-                glow += density * medium.emission;
-                scattered += medium.scattering.map_or(Rgb::ZERO, |s| density * s.color);
-            }
+        let here = || Stuff::sum(&along.media, |medium| Some(medium.density(p, along.ray.dir)));
+        let Stuff { mut glow, dim, scattered } = along.even.or_else(here).unwrap_or_default();
+        if along.shadow {
+            return Sample { glow: Rgb::ZERO, dim };
         }
         if scattered == Rgb::ZERO {
             return Sample { glow, dim };
@@ -264,6 +306,12 @@ impl Sample {
     fn plus(self, other: Sample) -> Sample {
         Sample { glow: self.glow + other.glow, dim: self.dim + other.dim }
     }
+}
+
+/// What is left of light behind so much.
+#[inline]
+fn seen_through(light: Rgb, depth: Rgb) -> Rgb {
+    if light == Rgb::ZERO { light } else { light * exp(-depth) }
 }
 
 /// The mean between two samples, with more samples between them where their light differs.

@@ -72,6 +72,11 @@ impl MediaList {
     pub fn is_empty(&self) -> bool {
         self.media.is_empty()
     }
+
+    /// Do samples lie at random in any of it?
+    pub fn is_random(&self) -> bool {
+        self.media.iter().any(|m| m.sampling.method != 3 || m.sampling.jitter != 0.0)
+    }
 }
 
 impl Medium {
@@ -210,13 +215,12 @@ impl Tracer<'_> {
     ) {
         let media: Joined<'_> = lists.iter().flat_map(|list| &list.media).collect();
         let Some(leader) = leader(&media) else { return };
-        let lights = ranges(self.world, &beam.ray, depth, lights);
+        let lights = ranges(self.world, beam.ray, depth, lights);
         let intervals = intervals(&pieces(&lights, depth), leader);
-        let along = Along { lights, shadow: false, ..Along::new(media, leader, beam.ray, beam.interiors) };
+        let along = Along { lights, shadow: false, ..Along::new(media, leader, *beam.ray, beam.interiors) };
         let (glow, depth) = self.integrate(&along, intervals);
         let left = exp(-depth);
-        seen.rgb = seen.rgb * left + glow;
-        seen.transmit *= grey(left);
+        *seen = Seen::new(seen.rgb() * left + glow, seen.transmit() * grey(left));
     }
 
     /// What the media of a shadow ray's interiors leave of light over a segment.
@@ -249,11 +253,14 @@ impl Tracer<'_> {
     }
 }
 
-/// Of each part; what is clear stays clear at no cost.
+/// Of each part; what is clear stays clear at no cost, and grey takes one look.
 #[inline]
 fn exp(v: Rgb) -> Rgb {
     if v == Rgb::ZERO {
         return Rgb::ONE;
+    }
+    if v.x == v.y && v.y == v.z {
+        return Rgb::splat(v.x.exp());
     }
     Rgb::new(v.x.exp(), v.y.exp(), v.z.exp())
 }

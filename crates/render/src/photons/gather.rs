@@ -8,6 +8,7 @@ use raggio_scene::Finish;
 use super::Maps;
 use super::map::{Nearest, PhotonMap};
 use crate::integrator::Tracer;
+use crate::integrator::lobes::Lobes;
 use crate::integrator::surface::SurfacePoint;
 
 /// What a tracer keeps for photons.
@@ -22,6 +23,8 @@ pub struct State<'w> {
     nearest: Nearest,
     /// What the first search found, while the second looks farther.
     first: Nearest,
+    /// Of the finishes that photons light.
+    lobes: Lobes,
 }
 
 impl<'w> State<'w> {
@@ -37,6 +40,7 @@ impl<'w> State<'w> {
             likely: [f64::INFINITY; 2],
             nearest: Nearest::default(),
             first: Nearest::default(),
+            lobes: Lobes::default(),
         }
     }
 
@@ -105,7 +109,7 @@ impl Tracer<'_> {
             let slant = point.n.dot(photon.toward).clamp(0.1, 1.0);
             (photon.toward, photon.power / slant as f32)
         });
-        let sum = self.lit_from(point, finish, n, (rgb, opacity), thrown);
+        let sum = self.lit_from(point, finish, n, (rgb, opacity), thrown, &mut state.lobes);
         self.photons = Some(state);
         if radius > 0.0 { sum / (PI * radius * radius) as f32 } else { Rgb::ZERO }
     }

@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use raggio_geometry::RayClass;
 use raggio_image::Rgb;
-use raggio_math::{EPS, Ray, Vec3};
+use raggio_math::{Aabb, EPS, Ray, Vec3};
 use rayon::prelude::*;
 
 use super::map::{Nearest, PhotonMap};
@@ -33,6 +33,8 @@ pub(super) struct Pair<'a> {
     end: f64,
     /// How photons stay in media; `None` where they do not.
     pub media: Option<Spread>,
+    /// What photons have to meet to meet the target, if those that do not may be left out.
+    aim: Option<Aabb>,
 }
 
 /// How photons stay in media.
@@ -79,7 +81,7 @@ pub fn shoot(world: &World, options: &Options, stack: usize, cancel: &AtomicBool
     let (mut photons, mut in_media) = (Vec::new(), Vec::new());
     for light in &lights {
         for target in &plan.targets {
-            if let Some(pair) = Pair::new(light, target, spacing, Spread::new(plan)) {
+            if let Some(pair) = Pair::new(world, light, target, spacing, Spread::new(plan)) {
                 shooter.pair(
                     &pair,
                     plan.settings.autostop.into(),
@@ -132,7 +134,13 @@ fn effects(light: &LightSource, target: &Target) -> (bool, bool) {
 }
 
 impl<'a> Pair<'a> {
-    fn new(light: &'a LightSource, target: &'a Target, spacing: f64, media: Option<Spread>) -> Option<Self> {
+    fn new(
+        world: &World,
+        light: &'a LightSource,
+        target: &'a Target,
+        spacing: f64,
+        media: Option<Spread>,
+    ) -> Option<Self> {
         if effects(light, target) == (false, false) {
             return None;
         }
@@ -149,7 +157,15 @@ impl<'a> Pair<'a> {
         } else {
             (spread.atan(), if distance >= reach { (reach / distance).asin() } else { PI })
         };
-        (step > 0.0).then_some(Pair { light, target, centre, spread, step, end, media })
+        // Media whose samples lie at random have to be met, so that those after them lie where they did.
+        let aim = (!world.random_media).then(|| target.bounds.grown(2e-3));
+        (step > 0.0).then_some(Pair { light, target, centre, spread, step, end, media, aim })
+    }
+
+    /// How far to look for the target along the way of a photon that goes straight; `None` where it is not met.
+    pub fn target_within(&self, ray: &Ray, reach: f64) -> Option<f64> {
+        let Some(aim) = &self.aim else { return Some(reach) };
+        aim.hit(ray).filter(|(_, far)| *far > 0.0).map(|(_, far)| reach.min(far))
     }
 
     /// How far apart photons are after a way.
@@ -282,7 +298,7 @@ impl Shooter<'_> {
         }
         let interiors: Interiors = self.world.geometry.interiors_at(ray.origin);
         let beam = Beam {
-            ray,
+            ray: &ray,
             interiors: &interiors,
             weight: 1.0,
             class: RayClass::Photon,

@@ -1,12 +1,12 @@
 //! The way of a photon: from surface to surface until it is stored, stopped or too weak (photon spec, section 2.4).
 use raggio_image::{Color, Rgb, grey};
-use raggio_math::{MIN_HIT, Vec3};
+use raggio_math::{MIN_HIT, Ray, Vec3};
 use raggio_shading::{Context, Layer};
 use smallvec::SmallVec;
 
 use super::shoot::{Pair, Spread};
 use super::{Photon, allowed};
-use crate::integrator::reflection::{Mirror, reflected};
+use crate::integrator::reflection::{Mirror, reflected, reflected_ray};
 use crate::integrator::surface::SurfacePoint;
 use crate::integrator::{Beam, Interiors, NormalPath, Tracer, fade, for_each_plain, placed, toggle};
 use crate::media::Steps;
@@ -59,12 +59,16 @@ impl Tracer<'_> {
             return;
         }
         let world = self.world;
-        let range = (MIN_HIT, beam.reach);
-        let Some(hit) = world.geometry.closest(&beam.ray, range, beam.class) else { return };
-        let surface = world.geometry.interaction(&beam.ray, &hit);
-        let material = world.material(&surface);
         let before_target = self.level == 0 || flight.straight;
-        let target = flight.pair.target.owns(material, &beam.ray, &hit);
+        let reach = match before_target {
+            true => flight.pair.target_within(beam.ray, beam.reach),
+            false => Some(beam.reach),
+        };
+        let Some(reach) = reach else { return };
+        let Some(hit) = world.geometry.closest(beam.ray, (MIN_HIT, reach), beam.class) else { return };
+        let surface = world.geometry.interaction(beam.ray, &hit);
+        let material = world.material(&surface);
+        let target = flight.pair.target.owns(material, beam.ray, &hit);
         if before_target && target {
             landed.touched = true;
         } else if before_target && !material.photons.pass_through {
@@ -74,7 +78,7 @@ impl Tracer<'_> {
         if !beam.interiors.is_empty() {
             power = match flight.pair.media.filter(|_| self.level > 0 && !flight.straight) {
                 Some(media) => self.stay(flight, media, hit.t, world.light_sets.of(material), landed),
-                None => power * self.media_filter(beam.interiors, &beam.ray, hit.t),
+                None => power * self.media_filter(beam.interiors, beam.ray, hit.t),
             };
         }
         let interior = &world.interior(material.interior).interior;
@@ -129,7 +133,7 @@ impl Tracer<'_> {
     ) {
         let world = self.world;
         let context = point.context();
-        for used in &point.surface.textures {
+        for used in point.surface.textures.as_slice() {
             let texture = world.texture(used.texture);
             let (path, p) = placed(texture, point.surface, point.material);
             for_each_plain(
@@ -201,9 +205,9 @@ impl Tracer<'_> {
     ) {
         let mut interiors = Interiors::from_slice(flight.beam.interiors);
         toggle(&mut interiors, point.material.interior);
-        let mut beam = Beam { interiors: &interiors, ..flight.beam };
-        beam.ray.origin = point.surface.p;
-        beam.weight *= passed.filter.abs().max_element();
+        let ray = Ray::new(point.surface.p, flight.beam.ray.dir);
+        let weight = flight.beam.weight * passed.filter.abs().max_element();
+        let beam = Beam { ray: &ray, interiors: &interiors, weight, ..flight.beam };
         let power = power * passed.filter;
         self.fly(&Flight { straight: true, ..flight.then(beam, power) }, landed);
     }
@@ -236,7 +240,8 @@ impl Tracer<'_> {
                 continue;
             }
             let weight = flight.beam.weight * mirror.reflectivity.max_element();
-            let beam = reflected(point, passed.n_bottom, weight);
+            let ray = reflected_ray(point, passed.n_bottom);
+            let beam = reflected(point, &ray, weight);
             self.fly(&flight.then(beam, mirror.apply(power)), landed);
         }
     }

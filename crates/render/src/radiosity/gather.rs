@@ -1,7 +1,7 @@
 //! A gather: rays in all directions over a surface point.
 use std::f64::consts::TAU;
 
-use raggio_geometry::RayClass;
+use raggio_geometry::{Hit, RayClass};
 use raggio_image::Rgb;
 use raggio_math::{MIN_HIT, Ray, Vec3};
 
@@ -119,8 +119,9 @@ impl Tracer<'_> {
     /// Shoots ray number `i`. Rays to objects of little importance only bring their distance.
     pub(super) fn gather_ray(&mut self, gather: &Gather<'_>, i: u32) -> Brought {
         let Gather { rules, point, directions, .. } = gather;
+        let ray = Ray::new(point.surface.p, directions[i as usize]);
         let beam = Beam {
-            ray: Ray::new(point.surface.p, directions[i as usize]),
+            ray: &ray,
             interiors: &[],
             weight: gather.weight,
             class: RayClass::Radiosity,
@@ -128,13 +129,15 @@ impl Tracer<'_> {
             wavelength: None,
             reach: f64::INFINITY,
         };
-        let hit = self.world.geometry.closest(&beam.ray, (MIN_HIT, beam.reach), beam.class);
-        let distance = hit.as_ref().map(|hit| hit.t);
+        let mut hit = Hit::NONE;
+        let found = self.world.geometry.closest_into(&ray, (MIN_HIT, beam.reach), beam.class, &mut hit);
+        let hit = found.then_some(&hit);
+        let distance = hit.map(|hit| hit.t);
         let mut quality = 1.0;
         if rules.uneven {
-            let importance = match &hit {
+            let importance = match hit {
                 Some(hit) => {
-                    let surface = self.world.geometry.interaction(&beam.ray, hit);
+                    let surface = self.world.geometry.interaction(&ray, hit);
                     self.world.material(&surface).radiosity_importance
                 }
                 None => None,
@@ -150,7 +153,7 @@ impl Tracer<'_> {
             }
         }
         self.set_ray_quality(1.0);
-        let mut light = self.follow(&beam, hit.as_ref(), false).rgb;
+        let mut light = self.follow(&beam, hit, false).rgb();
         quality *= self.radiosity.as_ref().map_or(1.0, |s| s.ray_quality);
         let brightest = light.max_element();
         if rules.settings.max_sample > 0.0 && brightest > rules.settings.max_sample {

@@ -6,6 +6,7 @@
 mod ahead;
 mod cache;
 mod gather;
+mod octree;
 mod pretrace;
 
 use raggio_image::{Rgb, grey};

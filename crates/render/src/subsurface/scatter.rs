@@ -144,13 +144,9 @@ impl Tracer<'_> {
             return Rgb::ZERO;
         }
         let Some(dir) = refracted_direction(inside.dir, exit.n, site.eta) else { return Rgb::ZERO };
-        let beam = Beam {
-            ray: Ray::new(exit.p, dir),
-            weight: left.max_element(),
-            reach: f64::INFINITY,
-            ..*site.point.beam
-        };
-        self.trace(&beam, false).rgb * left
+        let ray = Ray::new(exit.p, dir);
+        let beam = Beam { ray: &ray, weight: left.max_element(), reach: f64::INFINITY, ..*site.point.beam };
+        self.trace(&beam, false).rgb() * left
     }
 
     /// Directions spread evenly over the sphere, one after the other.

@@ -1,10 +1,14 @@
-//! Where a Julia fractal is proved to be inside or outside: a grid of blocks, so that rays need not march through them.
+//! Where a Julia fractal is proved to be inside or outside: a grid of cells, so that rays need not march through them.
 //!
 //! A ball around a number is carried along with its orbit. It holds the orbits of all numbers it started with, so where
-//! the whole ball escapes all of them do, and where it never leaves the ball of escape none does.
+//! the whole ball escapes all of them do, and where it never leaves the ball of escape none does. Blocks of cells are
+//! asked first, the parts of those of which nothing is proved after them.
+//!
+//! Of cells of which the same is proved as far around, a ray leaves all at once: each has its distance in cells, the
+//! greatest of the three along the axes, to the nearest one that is not like it.
 use raggio_math::{Aabb, Ray, Vec3};
 
-/// Cells along an edge of the grid, as a power of two.
+/// Cells along an edge of the grid, as a power of two. A row of them is a word.
 const LEVELS: u32 = 6;
 const CELLS: usize = 1 << LEVELS;
 
@@ -26,14 +30,28 @@ pub(super) struct Proved {
     cell: f64,
     /// Cells per length.
     scale: f64,
-    /// The level of the block that a cell belongs to, plus what is proved of the block: x fastest, then y.
+    /// What is proved of a cell, and the distance in cells to the nearest of which that is not proved: x fastest, then y.
     cells: Vec<u8>,
     /// Everything outside it is outside.
     pub(super) hull: Aabb,
 }
 
-/// Of the numbers in the grid: the level is below, the proof from here on.
-const LEVEL_BITS: u32 = 4;
+/// Of the numbers in the grid: the distance is below, the proof from here on.
+const DISTANCE_BITS: u32 = 4;
+const MOST: u8 = (1 << DISTANCE_BITS) - 1;
+
+/// A ray on its way through the grid. Lengths are in cells, distances along the ray are the ray's.
+pub(super) struct Course {
+    origin: [f64; 3],
+    dir: [f64; 3],
+    /// How long the ray takes through one cell along each axis, with the sign of the direction.
+    per_cell: [f64; 3],
+    /// When it would be in the middle of the first cell along each axis.
+    first: [f64; 3],
+}
+
+/// Added to a number from 0 on it leaves the number, rounded, in the lowest bits.
+const ROUNDING: f64 = (1u64 << 52) as f64;
 
 impl Proved {
     /// Looks at the cube of the given half edge. `proof` tells what it can of the ball with a middle and a radius.
@@ -43,10 +61,12 @@ impl Proved {
             half,
             cell,
             scale: 1.0 / cell,
-            cells: vec![0; CELLS * CELLS * CELLS],
+            cells: vec![word(Proof::Open, 0); CELLS * CELLS * CELLS],
             hull: Aabb::EMPTY,
         };
         proved.look([0; 3], LEVELS, &proof);
+        proved.measure(Proof::Outside, !0);
+        proved.measure(Proof::Inside, 0);
         proved
     }
 
@@ -67,49 +87,108 @@ impl Proved {
             self.hull = self.hull.union(&Aabb { min, max: min + Vec3::splat(edge) });
         }
         let size = 1 << level;
-        let word = level as u8 | (found as u8) << LEVEL_BITS;
         for z in corner[2]..corner[2] + size {
             for y in corner[1]..corner[1] + size {
                 let start = (z * CELLS + y) * CELLS + corner[0];
-                self.cells[start..start + size].fill(word);
+                self.cells[start..start + size].fill(word(found, 0));
             }
         }
     }
 
-    /// What is proved at a distance along a ray, and to what distance: as far as the block reaches. `inverse` is one
-    /// over the ray's direction.
-    #[inline]
-    pub(super) fn at(&self, ray: &Ray, inverse: Vec3, t: f64) -> (Proof, f64) {
-        let place = (ray.at(t) + Vec3::splat(self.half)) * self.scale;
-        // Numbers below 0 become 0.
-        let of = |x: f64| (x as usize).min(CELLS - 1);
-        let cell = [of(place.x), of(place.y), of(place.z)];
-        let word = self.cells[(cell[2] * CELLS + cell[1]) * CELLS + cell[0]];
-        let proof = match word >> LEVEL_BITS {
+    /// Measures the distances of the cells of which `proof` holds; `beyond` has all bits set if it does outside the grid.
+    /// The cells lose those at their rim again and again, a row at a time.
+    fn measure(&mut self, proof: Proof, beyond: u64) {
+        let row = |cells: &[u8]| {
+            cells.iter().rev().fold(0, |row, &w| row << 1 | u64::from(w >> DISTANCE_BITS == proof as u8))
+        };
+        let mut rows: Vec<u64> = self.cells.chunks(CELLS).map(row).collect();
+        for distance in 1..=MOST {
+            let inner = without_rim(rows.clone(), beyond);
+            let kept = if distance < MOST { &inner[..] } else { &[] };
+            let lost =
+                rows.iter().zip(kept.iter().chain(std::iter::repeat(&0))).map(|(row, kept)| row & !kept);
+            for (cells, mut lost) in self.cells.chunks_mut(CELLS).zip(lost) {
+                while lost != 0 {
+                    cells[lost.trailing_zeros() as usize] |= distance;
+                    lost &= lost - 1;
+                }
+            }
+            rows = inner;
+        }
+    }
+
+    /// A ray as [`Proved::at`] needs it.
+    pub(super) fn course(&self, ray: &Ray) -> Course {
+        let (origin, dir) = ((ray.origin + Vec3::splat(self.half)) * self.scale, ray.dir * self.scale);
+        let (origin, dir) = (origin.to_array(), dir.to_array());
+        let axis = |of: fn(f64, f64) -> f64| [0, 1, 2].map(|k| of(origin[k], dir[k]));
+        Course {
+            origin,
+            dir,
+            per_cell: axis(|_, dir| if dir == 0.0 { 0.0 } else { 1.0 / dir }),
+            // Where it goes along the other axes only, it never leaves a cell along this one.
+            first: axis(|origin, dir| if dir == 0.0 { f64::INFINITY } else { (0.5 - origin) / dir }),
+        }
+    }
+
+    /// What is proved at a distance along a ray, and to what distance.
+    #[inline(always)]
+    pub(super) fn at(&self, course: &Course, t: f64) -> (Proof, f64) {
+        let place = |k: usize| {
+            let x = course.origin[k] + t * course.dir[k] - 0.5;
+            let x = if x > 0.0 { x } else { 0.0 };
+            (if x < (CELLS - 1) as f64 { x } else { (CELLS - 1) as f64 }) + ROUNDING
+        };
+        let cell = [place(0), place(1), place(2)];
+        let index = |k: usize| (cell[k].to_bits() as usize & (CELLS - 1)) << (LEVELS * k as u32);
+        let word = self.cells[index(2) | index(1) | index(0)];
+        let proof = match word >> DISTANCE_BITS {
             w if w == Proof::Outside as u8 => Proof::Outside,
             w if w == Proof::Inside as u8 => Proof::Inside,
             _ => return (Proof::Open, t),
         };
-        let size = 1usize << (word & ((1 << LEVEL_BITS) - 1));
-        let face = |cell: usize, origin: f64, inverse: f64| {
-            let side = (cell & !(size - 1)) + if inverse > 0.0 { size } else { 0 };
-            (side as f64 * self.cell - self.half - origin) * inverse
+        let reach = f64::from(word & MOST) - 0.5;
+        let leaves = |k: usize| {
+            course.first[k] + (cell[k] - ROUNDING) * course.per_cell[k] + reach * course.per_cell[k].abs()
         };
-        let (o, i) = (ray.origin, inverse);
-        let until = face(cell[0], o.x, i.x).min(face(cell[1], o.y, i.y)).min(face(cell[2], o.z, i.z));
-        (proof, until.max(t))
+        let less = |a: f64, b: f64| if a < b { a } else { b };
+        let until = less(leaves(0), less(leaves(1), leaves(2)));
+        (proof, if until > t { until } else { t })
     }
 
     /// How far the ray goes outside from a distance on; `None` if for good.
-    pub(super) fn outside_until(&self, ray: &Ray, inverse: Vec3, mut t: f64, end: f64) -> Option<f64> {
-        // A step over the border of a block, for what rounding does to it.
+    pub(super) fn outside_until(&self, course: &Course, mut t: f64, end: f64) -> Option<f64> {
+        // A step over the border of a cell, for what rounding does to it.
         let over = 1e-6 * self.cell;
         while t < end {
-            match self.at(ray, inverse, t) {
+            match self.at(course, t) {
                 (Proof::Outside, until) => t = until + over,
                 _ => return Some(t),
             }
         }
         None
     }
+}
+
+fn word(proof: Proof, distance: u8) -> u8 {
+    (proof as u8) << DISTANCE_BITS | distance
+}
+
+/// The cells whose neighbours, those across edges and corners too, are in the rows like themselves.
+fn without_rim(mut rows: Vec<u64>, beyond: u64) -> Vec<u64> {
+    for row in &mut rows {
+        let (last, first) = (beyond << (CELLS - 1), beyond & 1);
+        *row &= (*row >> 1 | last) & (*row << 1 | first);
+    }
+    for (step, along) in
+        [(1, |at: usize| at % CELLS), (CELLS, |at: usize| at / CELLS)] as [(usize, fn(usize) -> usize); 2]
+    {
+        let before = rows.clone();
+        for (at, row) in rows.iter_mut().enumerate() {
+            let lower = if along(at) > 0 { before[at - step] } else { beyond };
+            let upper = if along(at) < CELLS - 1 { before[at + step] } else { beyond };
+            *row &= lower & upper;
+        }
+    }
+    rows
 }
