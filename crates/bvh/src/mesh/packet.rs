@@ -218,10 +218,11 @@ mod x86 {
         }
     }
 
-    /// Walks the tree for the rays that are still `alive`; `leaf` is shown blocks and answers with `t_max` of all rays.
+    /// Walks the tree for the rays, the nearest child first or the smallest; `leaf` is shown blocks and answers with
+    /// `t_max` of all rays.
     #[inline]
     #[target_feature(enable = "avx2,fma,avx512f,avx512vl,avx512dq")]
-    fn walk<B: Block>(
+    fn walk<B: Block, const NEAREST: bool>(
         bvh: &MeshBvh,
         blocks: &[B],
         bundle: &Bundle,
@@ -254,6 +255,8 @@ mod x86 {
                 let slot = mask.trailing_zeros() as usize & 7;
                 mask &= mask - 1;
                 if bundle.enter(node, slot, t_max) != 0 {
+                    // Otherwise the last is the smallest, and asked first.
+                    let base = if NEAREST { base } else { stack.top };
                     stack.push(base, entries[slot], node.child[slot]);
                 }
             }
@@ -267,7 +270,7 @@ mod x86 {
         let t_max = unsafe { _mm512_load_ps(packet.t_max.as_ptr()) };
         let mut triangle = _mm512_set1_epi32(-1);
         let mut nearest = t_max;
-        walk(bvh, blocks, &bundle, t_max, |block, mut t_max| {
+        walk::<B, true>(bvh, blocks, &bundle, t_max, |block, mut t_max| {
             for lane in 0..block.lanes() {
                 let (mask, t) = bundle.hit(block, lane, t_max);
                 t_max = _mm512_mask_mov_ps(t_max, mask, t);
@@ -293,7 +296,7 @@ mod x86 {
         // SAFETY: sixteen floats, aligned to 64 by the type.
         let t_max = unsafe { _mm512_load_ps(packet.t_max.as_ptr()) };
         let mut found = 0u16;
-        walk(bvh, blocks, &bundle, t_max, |block, mut t_max| {
+        walk::<B, false>(bvh, blocks, &bundle, t_max, |block, mut t_max| {
             for lane in 0..block.lanes() {
                 let (mask, _) = bundle.hit(block, lane, t_max);
                 found |= mask;
