@@ -7,6 +7,7 @@ use std::collections::HashMap;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, LazyLock, Mutex, OnceLock, PoisonError, Weak};
 
+use once_cell::race::OnceBox;
 use raggio_function::{Bounds, Function, Range};
 use raggio_math::{Aabb, Vec3};
 
@@ -22,8 +23,6 @@ const BLIND_CUTS: u8 = 10;
 const ALIKE: f64 = 1.0;
 /// A slope beyond the scene's by this factor is not due to rounding.
 const CLEARLY: f64 = 1.001;
-/// The axis of a box that is not cut.
-pub(super) const NONE: u8 = 3;
 
 /// Where in the container the function is tried out, as shares of its sides.
 const PROBES: [[f64; 3]; 3] = [[0.3, 0.4, 0.6], [0.52, 0.81, 0.37], [0.73, 0.13, 0.86]];
@@ -41,26 +40,40 @@ pub(super) struct Field {
     steepest: AtomicU64,
 }
 
-/// A box of the tree.
+/// A box of the tree. Kept small, for there are many and rays come through most of them only on the way to others; none
+/// lies across two cache lines.
 #[derive(Debug)]
-#[repr(C)]
+#[repr(C, align(32))]
 pub(super) struct Cell {
     /// Where the box is cut.
     pub plane: f64,
-    /// Across which axis, if it is cut.
-    pub axis: u8,
+    halves: OnceBox<[Cell; 2]>,
+    known: Box<Known>,
+    pub kind: Kind,
     /// How often the whole was cut to get here.
     depth: u8,
-    halves: OnceLock<Box<[Cell; 2]>>,
-    /// All values in the box.
-    value: Range,
-    /// What is not looked at on the way to other boxes, which therefore lie closer together.
-    known: Box<Known>,
 }
 
-/// What else is known of a box.
+/// What a walk has to know of a box.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd)]
+#[repr(u8)]
+pub(super) enum Kind {
+    /// It is cut across an axis.
+    CutX,
+    CutY,
+    CutZ,
+    /// It is not cut, and the surface may be in it.
+    Open,
+    /// Not cut; the function is above the threshold, or below it, everywhere in it.
+    Above,
+    Below,
+}
+
+/// What is known of a box.
 #[derive(Debug)]
 struct Known {
+    /// All values in the box.
+    value: Range,
     model: Model,
     bounds: Aabb,
 }
@@ -90,19 +103,19 @@ impl Model {
         (self.middle + self.slope.dot(d), self.spread.dot(d.abs()))
     }
 
-    /// How much the value may change along a way at least and at most.
+    /// How much the value changes along a way by the middle of the slopes, and how far that may be off.
     #[inline(always)]
-    pub(super) fn change(&self, way: Vec3, sign: f64) -> Range {
-        let (middle, off) = (sign * self.slope.dot(way), self.spread.dot(way.abs()));
-        Range { lo: middle - off, hi: middle + off }
+    pub(super) fn change(&self, way: Vec3, sign: f64) -> (f64, f64) {
+        (sign * self.slope.dot(way), self.spread.dot(way.abs()))
     }
 
-    /// What `sign` times the value is not below at a point of the box, and at the end of a way from there.
+    /// What `sign` times the value is not below at a point of the box, and at the end of a way from there, along which
+    /// the middle of the slopes makes it rise by `rise`.
     #[inline(always)]
-    pub(super) fn least(&self, p: Vec3, way: Vec3, sign: f64) -> (f64, f64) {
+    pub(super) fn least(&self, p: Vec3, way: Vec3, sign: f64, rise: f64) -> (f64, f64) {
         let d = p - self.centre;
-        let at = |d: Vec3| sign * (self.middle + self.slope.dot(d)) - self.spread.dot(d.abs());
-        (at(d), at(d + way))
+        let middle = sign * (self.middle + self.slope.dot(d));
+        (middle - self.spread.dot(d.abs()), middle + rise - self.spread.dot((d + way).abs()))
     }
 
     /// Where the slope along a direction lies.
@@ -113,11 +126,27 @@ impl Model {
     }
 }
 
+impl Kind {
+    fn cut(axis: usize) -> Kind {
+        [Kind::CutX, Kind::CutY, Kind::CutZ][axis]
+    }
+
+    fn uncut(value: Range) -> Kind {
+        if value.lo > 0.0 {
+            Kind::Above
+        } else if value.hi < 0.0 {
+            Kind::Below
+        } else {
+            Kind::Open
+        }
+    }
+}
+
 impl Cell {
-    /// What `sign` times the function is nowhere below.
+    /// Is `sign` times the function positive in all of the box?
     #[inline]
-    pub(super) fn least(&self, sign: f64) -> f64 {
-        if sign > 0.0 { self.value.lo } else { -self.value.hi }
+    pub(super) fn is_positive(&self, sign: f64) -> bool {
+        self.kind == if sign > 0.0 { Kind::Above } else { Kind::Below }
     }
 
     #[inline]
@@ -128,20 +157,22 @@ impl Cell {
     /// Where the value at a point of the box lies.
     #[inline]
     pub(super) fn value_at(&self, p: Vec3) -> Range {
-        if self.value.lo > 0.0 || self.value.hi < 0.0 || !self.known.model.is_known() {
-            return self.value;
+        if self.kind != Kind::Open || !self.known.model.is_known() {
+            return self.known.value;
         }
         let (middle, off) = self.known.model.at(p);
         Range { lo: middle - off, hi: middle + off }
     }
+}
 
+impl Known {
     /// May smaller boxes tell much more of a function that the scene says to have slopes up to `max_gradient`?
-    fn is_worth_cutting(&self, max_gradient: f64) -> bool {
-        let Model { slope, spread, .. } = self.known.model;
+    fn is_worth_cutting(&self, depth: u8, max_gradient: f64) -> bool {
+        let Model { slope, spread, .. } = self.model;
         let steepest = (slope.abs() + spread).max_element();
-        let well_known = self.known.model.is_known() && 2.0 * spread.element_sum() <= ALIKE * steepest;
+        let well_known = self.model.is_known() && 2.0 * spread.element_sum() <= ALIKE * steepest;
         let most = if steepest <= TOO_STEEP * max_gradient { MOST_CUTS } else { BLIND_CUTS };
-        self.value.contains(0.0) && !well_known && self.depth < most
+        self.value.contains(0.0) && !well_known && depth < most
     }
 }
 
@@ -186,7 +217,7 @@ impl Field {
         };
         let known = PROBES.iter().any(|&share| {
             let at = bounds.min + bounds.size() * Vec3::from(share);
-            !field.cell(Aabb { min: at, max: at }, None).value.is_all()
+            !field.cell(Aabb { min: at, max: at }, 0).known.value.is_all()
         });
         (known && bounds.is_finite()).then_some(field)
     }
@@ -210,7 +241,7 @@ impl Field {
     /// The box of the whole.
     #[inline]
     pub(super) fn root(&self) -> &Cell {
-        self.root.get_or_init(|| self.cell(self.bounds, None))
+        self.root.get_or_init(|| self.cell(self.bounds, 0))
     }
 
     /// The halves of a box that is to be cut.
@@ -228,14 +259,15 @@ impl Field {
     fn cut<'a>(&self, cell: &'a Cell) -> &'a [Cell; 2] {
         cell.halves.get_or_init(|| {
             let (mut low, mut high) = (cell.known.bounds, cell.known.bounds);
-            low.max[usize::from(cell.axis)] = cell.plane;
-            high.min[usize::from(cell.axis)] = cell.plane;
-            Box::new([self.cell(low, Some(cell)), self.cell(high, Some(cell))])
+            let axis = cell.kind as usize;
+            low.max[axis] = cell.plane;
+            high.min[axis] = cell.plane;
+            Box::new([low, high].map(|bounds| self.cell(bounds, cell.depth + 1)))
         })
     }
 
-    /// Bounds the function over a box, which may be a half of another.
-    fn cell(&self, bounds: Aabb, whole: Option<&Cell>) -> Cell {
+    /// Bounds the function over a box that comes from cutting the whole `depth` times.
+    fn cell(&self, bounds: Aabb, depth: u8) -> Cell {
         let variable = |k: usize| Bounds::variable(k, Range::new(bounds.min[k], bounds.max[k]));
         let found = self.function.enclose(&[variable(0), variable(1), variable(2)]);
         let centre = bounds.centre();
@@ -253,21 +285,16 @@ impl Field {
             value = value.meet(Range::one(model.middle) + Range::within(away));
         }
         self.note_slope(value, &found.slopes);
-        let depth = whole.map_or(0, |whole| whole.depth + 1);
-        let mut cell = Cell {
-            plane: 0.0,
-            axis: NONE,
+        let known = Box::new(Known { value, model, bounds });
+        let axis =
+            axis_to_cut(&found.slopes, half).filter(|_| known.is_worth_cutting(depth, self.max_gradient));
+        Cell {
+            plane: axis.map_or(0.0, |axis| centre[axis]),
+            halves: OnceBox::new(),
+            known,
+            kind: axis.map_or_else(|| Kind::uncut(value), Kind::cut),
             depth,
-            halves: OnceLock::new(),
-            value,
-            known: Box::new(Known { model, bounds }),
-        };
-        if let Some(axis) =
-            axis_to_cut(&found.slopes, half).filter(|_| cell.is_worth_cutting(self.max_gradient))
-        {
-            (cell.plane, cell.axis) = (centre[axis], axis as u8);
         }
-        cell
     }
 }
 

@@ -10,13 +10,13 @@ pub(super) struct Grid {
     step: f64,
     per_step: f64,
     /// The number of steps.
-    pub count: u64,
+    pub count: i64,
 }
 
 /// The function at a point of the grid.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sample {
-    pub index: u64,
+    pub index: i64,
     pub t: f64,
     pub value: f64,
 }
@@ -28,23 +28,23 @@ impl Grid {
         let length = end - start;
         let steps = length / accuracy;
         let halvings = if steps >= 1.0 { (exponent(steps) + 1).min(MOST_HALVINGS) } else { 0 };
-        let count = 1_u64 << halvings;
+        let count = 1_i64 << halvings;
         Grid { start, step: length / count as f64, per_step: count as f64 / length, count }
     }
 
     /// Where a point is.
     #[inline]
-    pub(super) fn at(&self, index: u64) -> f64 {
+    pub(super) fn at(&self, index: i64) -> f64 {
         self.start + index as f64 * self.step
     }
 
     /// The first point that is not before `t`; beyond the last one if there is none.
     #[inline]
-    pub(super) fn not_before(&self, t: f64) -> u64 {
+    pub(super) fn not_before(&self, t: f64) -> i64 {
         let steps = (t - self.start) * self.per_step;
-        let whole = steps as u64;
+        let whole = steps as i64;
         // Rounding up without a call of the system's library.
-        whole.saturating_add(u64::from((whole as f64) < steps)).min(self.count + 1)
+        whole.saturating_add(i64::from((whole as f64) < steps)).clamp(0, self.count + 1)
     }
 }
 

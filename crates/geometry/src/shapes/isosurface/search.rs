@@ -31,9 +31,9 @@ pub(super) struct Search<'a> {
 /// Where a search along known stretches stands.
 struct Progress {
     /// The last point up to which nothing is left to be found, but for what is postponed.
-    done: u64,
+    done: i64,
     /// Points after this one, up to `done`, are postponed: nothing is known of the slopes there.
-    unknown_from: u64,
+    unknown_from: i64,
     /// The last sample, if the function was looked at.
     last: Option<Sample>,
     /// What the value is surely not below where the walk stands.
@@ -103,7 +103,7 @@ impl<'a> Search<'a> {
         if enough(known) { known } else { Range::one(self.surface.value(p)) }
     }
 
-    fn sample(&self, grid: &Grid, index: u64) -> Sample {
+    fn sample(&self, grid: &Grid, index: i64) -> Sample {
         let t = grid.at(index);
         Sample { index, t, value: self.value(t) }
     }
@@ -129,8 +129,7 @@ impl<'a> Search<'a> {
         while let Some((cell, stretch)) =
             walk.next(|cell, stretch| self.is_free(cell, stretch, &mut progress.least))
         {
-            let last =
-                if stretch.1 < end { grid.not_before(stretch.1).saturating_sub(1) } else { grid.count };
+            let last = if stretch.1 < end { (grid.not_before(stretch.1) - 1).max(0) } else { grid.count };
             let first = grid.not_before(stretch.0).max(progress.done + 1);
             // Behind a stretch that is not free the value may be anything.
             let entry = (stretch.0, std::mem::replace(&mut progress.least, f64::NEG_INFINITY));
@@ -148,17 +147,18 @@ impl<'a> Search<'a> {
     /// then made to hold for its end.
     #[inline(always)]
     fn is_free(&self, cell: &Cell, (from, to): (f64, f64), least: &mut f64) -> bool {
-        if cell.least(self.sign) > 0.0 {
-            *least = cell.least(self.sign);
+        if cell.is_positive(self.sign) {
+            *least = 0.0;
             return true;
         }
         let way = self.ray.dir * (to - from);
-        let change = cell.model().change(way, self.sign);
+        let (rise, off) = cell.model().change(way, self.sign);
+        let change = Range { lo: rise - off, hi: rise + off };
         if *least >= 0.0 && change.lo >= 0.0 {
             *least += change.lo;
             return true;
         }
-        let ends = cell.model().least(self.ray.at(from), way, self.sign);
+        let ends = cell.model().least(self.ray.at(from), way, self.sign, rise);
         let entry = greater(ends.0, *least);
         let exit = greater(ends.1, *least + change.lo);
         // Between the ends what the model allows is not less than at one of them.
@@ -177,11 +177,11 @@ impl<'a> Search<'a> {
     fn in_stretch(
         &mut self,
         grid: &Grid,
-        (first, last): (u64, u64),
+        (first, last): (i64, i64),
         entry: (f64, f64),
         model: &Model,
         progress: &mut Progress,
-    ) -> Option<u64> {
+    ) -> Option<i64> {
         let ends = model.is_known().then(|| (self.known(grid, first, model), self.known(grid, last, model)));
         let slope = model.along(self.ray.dir * self.sign);
         if let Some((a, b)) = ends.filter(|_| slope.hi <= 0.0) {
@@ -209,7 +209,7 @@ impl<'a> Search<'a> {
 
     /// Searches what was postponed.
     #[inline]
-    fn postponed(&mut self, grid: &Grid, progress: &mut Progress) -> Option<u64> {
+    fn postponed(&mut self, grid: &Grid, progress: &mut Progress) -> Option<i64> {
         if progress.unknown_from >= progress.done {
             return None;
         }
@@ -223,7 +223,7 @@ impl<'a> Search<'a> {
 
     /// What a box tells of the value at a point of the grid.
     #[inline]
-    fn known(&self, grid: &Grid, index: u64, model: &Model) -> Known {
+    fn known(&self, grid: &Grid, index: i64, model: &Model) -> Known {
         let t = grid.at(index);
         let (middle, off) = model.at(self.ray.at(t));
         let middle = self.sign * middle;
@@ -240,7 +240,7 @@ impl<'a> Search<'a> {
     }
 
     /// The first point below zero where the function never rises: interval Newton steps (Moore, 1966) on whole points.
-    fn falling(&self, grid: &Grid, a: Known, b: Known, slope: Range) -> Option<u64> {
+    fn falling(&self, grid: &Grid, a: Known, b: Known, slope: Range) -> Option<i64> {
         // Distances per value to a root: at least, at most, and in the middle.
         let (steep, flat) = (-1.0 / slope.lo, 1.0 / (-slope.hi).max(f64::MIN_POSITIVE));
         let typical = -2.0 / (slope.lo + slope.hi);
@@ -261,7 +261,7 @@ impl<'a> Search<'a> {
                 high = index.min(reach(steep));
                 low = low.max(reach(flat)).min(high);
                 // The point before may be the one where the sign changes.
-                guess = guess.min(high.saturating_sub(1));
+                guess = guess.min(high - 1);
             } else {
                 low = (index + 1).max(reach(steep));
                 high = high.min(reach(flat)).max(low);
@@ -271,7 +271,7 @@ impl<'a> Search<'a> {
     }
 
     /// The first point below zero where the function may rise and fall.
-    fn bent(&mut self, grid: &Grid, a: Known, b: Known, slope: Range) -> Option<u64> {
+    fn bent(&mut self, grid: &Grid, a: Known, b: Known, slope: Range) -> Option<i64> {
         let a = if a.value.lo >= 0.0 {
             Sample { index: a.index, t: a.t, value: a.value.lo }
         } else {
@@ -326,7 +326,7 @@ impl<'a> Search<'a> {
 /// What is known of the function at a point of the grid without looking.
 #[derive(Clone, Copy)]
 struct Known {
-    index: u64,
+    index: i64,
     t: f64,
     value: Range,
 }

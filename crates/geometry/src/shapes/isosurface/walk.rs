@@ -1,7 +1,7 @@
 //! A ray's way through the boxes of a field.
 use raggio_math::{Ray, Vec3};
 
-use super::field::{Cell, Field, MOST_CUTS, NONE};
+use super::field::{Cell, Field, Kind, MOST_CUTS};
 
 /// Room for as many boxes as can wait.
 const ROOM: usize = MOST_CUTS as usize + 2;
@@ -12,15 +12,13 @@ pub(super) struct Walk<'a> {
     /// By axis; the fourth is none.
     origin: [f64; 4],
     inverse: [f64; 4],
-    /// Which half of a box comes first, by the axis of the cut.
-    near: [usize; 4],
+    /// Bits of the axes along which the ray goes backwards: there the upper half of a box comes first.
+    backwards: usize,
     /// Where the ray goes on, and where its way ends.
     at: f64,
     end: f64,
-    /// Boxes to go on with, the next one last.
-    waiting: [&'a Cell; ROOM],
-    /// Where the ray leaves them.
-    leaves: [f64; ROOM],
+    /// Boxes to go on with, the next one last, and where the ray leaves them.
+    waiting: [(&'a Cell, f64); ROOM],
     /// How many boxes wait.
     count: usize,
     /// The last box that was not free, and where the ray comes into it and leaves it.
@@ -32,17 +30,16 @@ impl<'a> Walk<'a> {
     /// The way of a ray, whose direction's inverse is known, between two parameters.
     #[inline]
     pub(super) fn new(field: &'a Field, ray: &Ray, inverse: Vec3, (from, end): (f64, f64)) -> Self {
-        let near = |along: f64| usize::from(along.is_sign_negative());
+        let back = |along: f64| usize::from(along.is_sign_negative());
         let root = field.root();
         Walk {
             field,
             origin: [ray.origin.x, ray.origin.y, ray.origin.z, 0.0],
             inverse: [inverse.x, inverse.y, inverse.z, 0.0],
-            near: [near(ray.dir.x), near(ray.dir.y), near(ray.dir.z), 0],
+            backwards: back(ray.dir.x) | back(ray.dir.y) << 1 | back(ray.dir.z) << 2,
             at: from,
             end,
-            waiting: [root; ROOM],
-            leaves: [end; ROOM],
+            waiting: [(root, end); ROOM],
             count: 1,
             last: (root, end),
             from,
@@ -70,12 +67,12 @@ impl<'a> Walk<'a> {
     /// comes to wait from then on.
     #[inline(always)]
     fn pop(&mut self) -> Option<(&'a Cell, f64)> {
-        self.count = self.count.checked_sub(1)?;
-        let (mut cell, mut to) = (*self.waiting.get(self.count)?, *self.leaves.get(self.count)?);
+        let mut count = self.count.checked_sub(1)?;
+        let (mut cell, mut to) = *self.waiting.get(count)?;
         let from = self.at;
-        while cell.axis != NONE {
-            let axis = usize::from(cell.axis & 3);
-            let near = self.near[axis] & 1;
+        while cell.kind < Kind::Open {
+            let axis = cell.kind as usize & 3;
+            let near = self.backwards >> axis & 1;
             let halves = self.field.halves(cell);
             // Along the plane this is infinite, with the sign that leads to the side where the ray is.
             let crossing = (cell.plane - self.origin[axis]) * self.inverse[axis];
@@ -85,11 +82,14 @@ impl<'a> Walk<'a> {
             }
             cell = &halves[near];
             // Whether the other half is reached is hard to foresee, so it is written down in any case.
-            self.write(&halves[near ^ 1], to);
+            if let Some(waiting) = self.waiting.get_mut(count) {
+                *waiting = (&halves[near ^ 1], to);
+            }
             let comes_there = crossing < to;
-            self.count += usize::from(comes_there);
+            count += usize::from(comes_there);
             to = if comes_there { crossing } else { to };
         }
+        self.count = count;
         Some((cell, to))
     }
 
@@ -102,18 +102,10 @@ impl<'a> Walk<'a> {
     }
 
     #[inline]
-    fn push(&mut self, (cell, to): (&'a Cell, f64)) {
-        self.write(cell, to);
-        self.count += 1;
-    }
-
-    /// Writes down what is to wait next.
-    #[inline(always)]
-    fn write(&mut self, cell: &'a Cell, to: f64) {
-        if let (Some(waiting), Some(leaves)) =
-            (self.waiting.get_mut(self.count), self.leaves.get_mut(self.count))
-        {
-            (*waiting, *leaves) = (cell, to);
+    fn push(&mut self, next: (&'a Cell, f64)) {
+        if let Some(waiting) = self.waiting.get_mut(self.count) {
+            *waiting = next;
+            self.count += 1;
         }
     }
 
@@ -121,7 +113,7 @@ impl<'a> Walk<'a> {
     #[inline]
     pub(super) fn go_to(&mut self, t: f64) {
         if t >= self.at {
-            while self.count > 0 && self.leaves.get(self.count - 1).is_some_and(|&to| to <= t) {
+            while self.count > 0 && self.waiting.get(self.count - 1).is_some_and(|&(_, to)| to <= t) {
                 self.count -= 1;
             }
         } else if t >= self.from && self.last.1 == self.at {
