@@ -26,6 +26,7 @@ impl Leaves for Runs {
     type Leaf = u32;
     const FEWEST_BINS: usize = 8;
     const ALONE: bool = true;
+    const SMALLEST_LAST: bool = false;
 
     fn size(&self) -> usize {
         self.0
@@ -39,6 +40,10 @@ impl Leaves for Runs {
     #[inline(always)]
     fn cost(count: u32) -> f32 {
         count as f32
+    }
+
+    fn fits(&self, _: &[Prim]) -> bool {
+        true
     }
 
     fn add(&self, prims: &[Prim], leaves: &mut Vec<u32>) -> u32 {

@@ -24,6 +24,12 @@ pub(crate) const LARGE: usize = 1 << 14;
 /// A large tree is built in about this many parts or more, unless they would be smaller than [`SMALL`].
 const PARTS: usize = 256;
 const SMALL: usize = 1 << 10;
+/// Runs of fewer full leaves are at the bottom of a tree.
+const BOTTOM: usize = 50;
+/// Runs of at most so many full leaves become a node of leaves.
+const NODE: usize = 6;
+/// A child with more than this share of a run's area is large.
+const LARGE_PART: f32 = 0.4;
 /// Parts that are built side by side before their memory is given back.
 const BATCH: usize = 8;
 
@@ -37,6 +43,9 @@ pub(crate) trait Leaves: Sync {
     /// Is a leaf of one as good as any? Otherwise it had better be full.
     const ALONE: bool;
 
+    /// Does the child that holds least come last in a node? Otherwise it comes first.
+    const SMALLEST_LAST: bool;
+
     /// Most primitives that may share a leaf.
     fn size(&self) -> usize;
 
@@ -45,6 +54,9 @@ pub(crate) trait Leaves: Sync {
 
     /// What asking so many primitives costs.
     fn cost(count: u32) -> f32;
+
+    /// Is there room in a leaf for all of these? There always is for two.
+    fn fits(&self, prims: &[Prim]) -> bool;
 
     /// Appends a leaf and returns its child word.
     fn add(&self, prims: &[Prim], leaves: &mut Vec<Self::Leaf>) -> u32;
@@ -83,8 +95,8 @@ struct Builder<'a, L: Leaves> {
 /// A tree over primitives (none without primitives), and a box around them.
 pub(crate) fn build<L: Leaves>(kind: &L, mut prims: Vec<Prim>) -> (Tree<L::Leaf>, Bounds) {
     let mut tree = Tree::EMPTY;
-    let all = Run::of(&prims);
     let builder = Builder { kind, size: kind.size() };
+    let all = builder.judged(&prims, Run::of(&prims));
     if prims.len() >= LARGE {
         builder.large(prims, all, &mut tree);
     } else if !prims.is_empty() {
@@ -106,9 +118,15 @@ impl<L: Leaves> Builder<'_, L> {
         pages::ask_for_large(&tree.leaves);
     }
 
+    /// A run of which is known whether it may become a leaf.
+    fn judged(&self, prims: &[Prim], mut run: Run) -> Run {
+        run.leaf = run.len <= self.size && self.kind.fits(prims);
+        run
+    }
+
     /// The child word for a run: a leaf, or a node built below.
     fn child(&self, prims: &mut [Prim], run: &Run, depth: usize, tree: &mut Tree<L::Leaf>) -> u32 {
-        match run.len <= self.size {
+        match run.leaf {
             true => self.kind.add(prims, &mut tree.leaves),
             false => self.node(prims, run, depth, tree),
         }
@@ -121,7 +139,7 @@ impl<L: Leaves> Builder<'_, L> {
         for (i, child) in children[..count].iter().enumerate() {
             let (own, rest) = prims.split_at_mut(child.len);
             prims = rest;
-            let slot = rank(children[..count].iter(), i, child);
+            let slot = rank::<L>(&children[..count], i);
             let word = self.child(own, child, depth + 1, tree);
             set(&mut tree.nodes[index], slot, child, word);
         }
@@ -134,7 +152,7 @@ impl<L: Leaves> Builder<'_, L> {
         let limit = all.len.div_ceil(PARTS).max(SMALL);
         let top = self.top(&mut prims, &all, 0, limit);
         let mut waiting = Vec::new();
-        place(top, &mut tree.nodes, &mut waiting);
+        place::<L>(top, &mut tree.nodes, &mut waiting);
         // Kept from batch to batch: fresh memory would have to be cleared for each.
         let mut parts: Vec<Tree<L::Leaf>> = (0..BATCH).map(|_| Tree::EMPTY).collect();
         while !waiting.is_empty() {
@@ -167,23 +185,37 @@ impl<L: Leaves> Builder<'_, L> {
         if L::ALONE && prims.len() <= WIDTH {
             // Of primitives that a ray enters at one place the first is then asked first.
             prims.sort_unstable_by_key(Prim::number);
-            prims.chunks(1).zip(&mut children).for_each(|(prim, child)| *child = Run::of(prim));
+            for (prim, child) in prims.chunks(1).zip(&mut children) {
+                *child = self.judged(prim, Run::of(prim));
+            }
             return (children, prims.len());
         }
         let mut count = 1;
         while count < WIDTH {
-            let largest = (0..count)
-                .filter(|&i| children[i].len > self.size)
-                .max_by(|&a, &b| children[a].bounds.half_area().total_cmp(&children[b].bounds.half_area()));
-            let Some(i) = largest else { break };
+            let Some(i) = self.next(run, &children[..count]) else { break };
             let start: usize = children[..i].iter().map(|child| child.len).sum();
             let own = &mut prims[start..start + children[i].len];
             let (left, right) = split::<L>(own, &children[i], depth < SAH_DEPTH);
             children.copy_within(i + 1..count, i + 2);
-            (children[i], children[i + 1]) = (left, right);
+            let (first, second) = own.split_at(left.len);
+            (children[i], children[i + 1]) = (self.judged(first, left), self.judged(second, right));
             count += 1;
         }
         (children, count)
+    }
+
+    /// The child to cut next. At the bottom of the tree a child that can become a node of leaves stays whole, unless it
+    /// is large or all its leaves find a place: two nodes with few leaves each take more room, and more time.
+    fn next(&self, run: &Run, children: &[Run]) -> Option<usize> {
+        let area = |i: usize| children[i].bounds.half_area();
+        let bottom = !L::ALONE && children.len() > 1 && run.len < BOTTOM * self.size;
+        let node = |i: usize| {
+            bottom && children[i].len <= NODE * self.size && area(i) < LARGE_PART * run.bounds.half_area()
+        };
+        let places = (self.size - 1) * (WIDTH + 1 - children.len());
+        (0..children.len())
+            .filter(|&i| !(children[i].leaf || node(i) && children[i].len > places))
+            .max_by(|&a, &b| node(b).cmp(&node(a)).then(area(a).total_cmp(&area(b))))
     }
 
     /// The part of a tree above runs of at most `limit`.
@@ -206,23 +238,25 @@ impl<L: Leaves> Builder<'_, L> {
     }
 }
 
-/// The place of the `i`-th child of a node, the smallest first: rays that seek just any hit take children as they come.
-fn rank<'a>(children: impl Iterator<Item = &'a Run>, i: usize, child: &Run) -> usize {
-    children.enumerate().filter(|(j, other)| (other.len, *j) < (child.len, i)).count()
+/// The place of the `i`-th child of a node, by how much the children hold.
+fn rank<L: Leaves>(children: &[Run], i: usize) -> usize {
+    let size = |j: usize| (children[j].len, j);
+    let smaller = (0..children.len()).filter(|&j| size(j) < size(i)).count();
+    if L::SMALLEST_LAST { children.len() - 1 - smaller } else { smaller }
 }
 
 /// Makes the nodes of the upper part, and lists what waits, in the order of the primitives. Returns the root's word.
-fn place(top: Top, nodes: &mut Vec<Node>, waiting: &mut Vec<Waiting>) -> u32 {
+fn place<L: Leaves>(top: Top, nodes: &mut Vec<Node>, waiting: &mut Vec<Waiting>) -> u32 {
     let Top::Node(children) = top else { return Child::LEAF };
     let index = nodes.len();
     nodes.push(Node::EMPTY);
     let runs: Vec<Run> = children.iter().map(|(run, _)| *run).collect();
     for (i, (run, below)) in children.into_iter().enumerate() {
-        let slot = rank(runs.iter(), i, &run);
+        let slot = rank::<L>(&runs, i);
         match below {
             Top::Part(depth) => waiting.push(Waiting { run, depth, node: index, slot }),
             below => {
-                let word = place(below, nodes, waiting);
+                let word = place::<L>(below, nodes, waiting);
                 set(&mut nodes[index], slot, &run, word);
             }
         }

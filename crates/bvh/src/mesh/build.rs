@@ -1,24 +1,46 @@
-//! The tree over triangles: its leaves are blocks of four.
+//! The tree over triangles: its leaves are blocks.
+use std::collections::HashSet;
+use std::marker::PhantomData;
+
 use raggio_math::Aabb;
 use rayon::prelude::*;
 
-use super::{Block, LANES, LEAF};
+use super::{Block, LEAF};
 use crate::build::{self, Bounds, LARGE, Leaves, Prim, Tree};
 use crate::node::Node;
 
 type V3 = [f32; 3];
 
-/// What visiting a node costs, in tests of a block.
-const NODE_COST: f32 = 1.0;
-
-struct Triangles<'a> {
+struct Triangles<'a, B> {
     vertices: &'a [V3],
     corners: &'a [[u32; 3]],
+    kind: PhantomData<B>,
+}
+
+/// Do so few triangles meet in a corner that they had better keep their corners each? Where there are many corners
+/// they are judged by a sample.
+pub(super) fn loose(vertices: &[V3], corners: &[[u32; 3]]) -> bool {
+    if vertices.len() < corners.len() {
+        return false;
+    }
+    // One place in so many is looked at, with all corners that lie there.
+    let share = (corners.len() >> 12).max(1).next_power_of_two() as u64;
+    let mut places = HashSet::new();
+    let mut count = 0;
+    for &corner in corners.iter().flatten() {
+        let [x, y, z] = vertices[corner as usize].map(|c| u64::from(c.to_bits()));
+        let mixed = (x ^ y.rotate_left(21) ^ z.rotate_left(42)).wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 32;
+        if mixed & (share - 1) == 0 {
+            count += 1;
+            places.insert([x, y, z]);
+        }
+    }
+    count < 2 * places.len()
 }
 
 /// A tree over triangles, and a box around them.
-pub(super) fn build(vertices: &[V3], corners: &[[u32; 3]]) -> (Tree<Block>, Aabb) {
-    let triangles = Triangles { vertices, corners };
+pub(super) fn build<B: Block>(vertices: &[V3], corners: &[[u32; 3]]) -> (Tree<B>, Aabb) {
+    let triangles = Triangles::<B> { vertices, corners, kind: PhantomData };
     let prim = |i: usize| triangles.prim(i);
     let prims: Vec<Prim> = match corners.len() < LARGE {
         true => (0..corners.len()).map(prim).collect(),
@@ -32,7 +54,12 @@ pub(super) fn build(vertices: &[V3], corners: &[[u32; 3]]) -> (Tree<Block>, Aabb
     (tree, bounds.aabb())
 }
 
-impl Triangles<'_> {
+impl<B: Block> Triangles<'_, B> {
+    fn block(&self, prims: &[Prim]) -> Option<B> {
+        let triangle = |prim: &Prim| (prim.number(), self.corners[prim.number() as usize]);
+        B::of(prims.iter().map(triangle), self.vertices)
+    }
+
     fn corners(&self, triangle: usize) -> [V3; 3] {
         self.corners[triangle].map(|corner| self.vertices[corner as usize])
     }
@@ -48,13 +75,14 @@ impl Triangles<'_> {
     }
 }
 
-impl Leaves for Triangles<'_> {
-    type Leaf = Block;
+impl<B: Block> Leaves for Triangles<'_, B> {
+    type Leaf = B;
     const FEWEST_BINS: usize = 4;
     const ALONE: bool = false;
+    const SMALLEST_LAST: bool = true;
 
     fn size(&self) -> usize {
-        LANES
+        B::LANES
     }
 
     fn room(&self, count: usize) -> usize {
@@ -64,20 +92,15 @@ impl Leaves for Triangles<'_> {
     /// Counts blocks, so that leaves come out full.
     #[inline(always)]
     fn cost(count: u32) -> f32 {
-        NODE_COST + count.div_ceil(LANES as u32) as f32
+        B::NODE_COST + count.div_ceil(B::LANES as u32) as f32
     }
 
-    fn add(&self, prims: &[Prim], leaves: &mut Vec<Block>) -> u32 {
-        let mut block = Block { corner: [[[f32::NAN; LANES]; 3]; 3], triangle: [u32::MAX; LANES] };
-        for (lane, prim) in prims.iter().enumerate() {
-            block.triangle[lane] = prim.number();
-            for (k, corner) in self.corners(prim.number() as usize).iter().enumerate() {
-                for (row, &value) in block.corner[k].iter_mut().zip(corner) {
-                    row[lane] = value;
-                }
-            }
-        }
-        leaves.push(block);
+    fn fits(&self, prims: &[Prim]) -> bool {
+        B::LOOSE || prims.len() <= 2 || self.block(prims).is_some()
+    }
+
+    fn add(&self, prims: &[Prim], leaves: &mut Vec<B>) -> u32 {
+        leaves.extend(self.block(prims));
         LEAF | (leaves.len() - 1) as u32
     }
 

@@ -1,7 +1,7 @@
 //! The triangle test in double precision: hits need no refinement.
 use raggio_math::{Ray, Vec3};
 
-use super::{Block, LANES, TriangleHit};
+use super::{Block, TriangleHit};
 
 /// A ray turned so that z is its longest axis, then sheared onto it (Woop, Benthin, Wald 2013: an edge gives the same
 /// answer for both of its triangles, so no ray slips between them).
@@ -48,11 +48,11 @@ impl Sheared {
     }
 
     /// Shows `found` the hits with the triangles of a block.
-    pub(crate) fn hits(&self, block: &Block, range: (f64, f64), mut found: impl FnMut(TriangleHit)) {
-        for lane in 0..LANES {
-            let corners = block.corner.map(|c| Vec3::from_array(c.map(|axis| f64::from(axis[lane]))));
+    pub(crate) fn hits<B: Block>(&self, block: &B, range: (f64, f64), mut found: impl FnMut(TriangleHit)) {
+        for lane in 0..block.lanes() {
+            let corners = [0, 1, 2].map(|k| Vec3::from_array(block.corner(lane, k).map(f64::from)));
             if let Some((t, u, v)) = self.hit(corners, range) {
-                found(TriangleHit { t, face: block.triangle[lane], u, v });
+                found(TriangleHit { t, face: block.triangle(lane), u, v });
             }
         }
     }

@@ -6,19 +6,21 @@ macro_rules! kernel {
         mod $name {
             use std::arch::x86_64::*;
             use std::mem::MaybeUninit;
+            use std::ptr;
 
             use raggio_math::Ray;
 
             use crate::kernel::{SLACK, Slab};
+            use crate::mesh::block::{Loose, Shared};
             use crate::mesh::double::Sheared;
-            use crate::mesh::leaf::AXES;
+            use crate::mesh::leaf::{AXES, CORNERS};
             use crate::mesh::{Block, LEAF, MeshBvh, MeshHit, MeshRay, ROOT, STACK, TriangleHit, UNIT};
             use crate::round::{not_before, not_behind};
 
             leaf_tests!($features);
 
             /// A ray as eight boxes see it.
-            struct Boxes {
+            struct Boxes<B> {
                 near_origin: [__m256; 3],
                 far_origin: [__m256; 3],
                 inverse: [__m256; 3],
@@ -29,17 +31,17 @@ macro_rules! kernel {
                 /// Where the first node has its children.
                 child: *const u8,
                 nodes: *const u8,
-                blocks: *const u8,
+                blocks: *const B,
                 /// Is most of the tree in no cache?
                 far_off: bool,
                 t_min: __m256,
             }
 
-            impl Boxes {
+            impl<B: Block> Boxes<B> {
                 // Arrays are written out here: `map` is compiled without the features, and would not be inlined.
                 #[inline]
                 #[target_feature(enable = $features)]
-                fn new(bvh: &MeshBvh, slab: &Slab, t_min: f32) -> Boxes {
+                fn new(bvh: &MeshBvh, blocks: &[B], slab: &Slab, t_min: f32) -> Self {
                     let row = |k: usize| bvh.nodes.as_ptr().cast::<u8>().wrapping_add(32 * k);
                     let (near, far, inverse) = (&slab.origin_near, &slab.origin_far, &slab.inverse);
                     Boxes {
@@ -63,7 +65,7 @@ macro_rules! kernel {
                         far: [row(slab.far[0]), row(slab.far[1]), row(slab.far[2])],
                         child: row(6),
                         nodes: row(0),
-                        blocks: bvh.blocks.as_ptr().cast(),
+                        blocks: blocks.as_ptr(),
                         far_off: bvh.far_off,
                         t_min: _mm256_set1_ps(t_min),
                     }
@@ -72,7 +74,7 @@ macro_rules! kernel {
                 /// A ray in single precision, which is taken to be exact.
                 #[inline]
                 #[target_feature(enable = $features)]
-                fn single(bvh: &MeshBvh, ray: &MeshRay) -> Boxes {
+                fn single(bvh: &MeshBvh, blocks: &[B], ray: &MeshRay) -> Self {
                     // SAFETY: four floats, aligned to 16 by the type.
                     let dir = unsafe { _mm_load_ps(ray.dir.as_ptr()) };
                     // A direction of 0 becomes tiny: the box test then never multiplies 0 by infinity.
@@ -104,7 +106,7 @@ macro_rules! kernel {
                         far: [row(96 - side[0]), row(128 - side[1]), row(160 - side[2])],
                         child: row(192),
                         nodes: row(0),
-                        blocks: bvh.blocks.as_ptr().cast(),
+                        blocks: blocks.as_ptr(),
                         far_off: bvh.far_off,
                         t_min: _mm256_broadcast_ss(&ray.t_min),
                     }
@@ -144,23 +146,26 @@ macro_rules! kernel {
                     if !self.far_off {
                         return;
                     }
-                    let base = if word & LEAF == 0 { self.nodes } else { self.blocks };
+                    let base = if word & LEAF == 0 { self.nodes } else { self.blocks.cast() };
                     let at = base.wrapping_add((word & !LEAF) as usize * UNIT).cast::<i8>();
                     // SAFETY: a prefetch of any address is harmless; newer compilers know that.
                     #[allow(unused_unsafe)]
                     unsafe {
                         _mm_prefetch::<_MM_HINT_T0>(at);
                         _mm_prefetch::<_MM_HINT_T0>(at.wrapping_add(64));
-                        _mm_prefetch::<_MM_HINT_T0>(at.wrapping_add(128));
-                        _mm_prefetch::<_MM_HINT_T0>(at.wrapping_add(192));
+                        // Nodes have four lines, blocks two or three.
+                        if B::LOOSE || word & LEAF == 0 {
+                            _mm_prefetch::<_MM_HINT_T0>(at.wrapping_add(128));
+                            _mm_prefetch::<_MM_HINT_T0>(at.wrapping_add(192));
+                        }
                     }
                 }
 
                 /// The block that a leaf's word names.
                 #[inline(always)]
-                fn block(&self, word: u32) -> &Block {
+                fn block(&self, word: u32) -> &B {
                     // SAFETY: words are places that the builder made; the mesh outlives its questions.
-                    unsafe { &*self.blocks.add((word & !LEAF) as usize * UNIT).cast::<Block>() }
+                    unsafe { &*self.blocks.byte_add((word & !LEAF) as usize * UNIT) }
                 }
             }
 
@@ -176,7 +181,7 @@ macro_rules! kernel {
             /// beyond which nothing interests any more and answers with the new one.
             #[inline]
             #[target_feature(enable = $features)]
-            fn walk(boxes: &Boxes, mut t_max: f32, mut leaf: impl FnMut(&Block, f32) -> f32) {
+            fn walk<B: Block>(boxes: &Boxes<B>, mut t_max: f32, mut leaf: impl FnMut(&B, f32) -> f32) {
                 let mut stack = [MaybeUninit::<Entry>::uninit(); STACK];
                 let mut top = 0usize;
                 let mut word = ROOT;
@@ -241,8 +246,8 @@ macro_rules! kernel {
             }
 
             #[target_feature(enable = $features)]
-            pub(super) fn closest(bvh: &MeshBvh, ray: &MeshRay) -> Option<MeshHit> {
-                let (boxes, single) = (Boxes::single(bvh, ray), Single::new(ray));
+            pub(super) fn closest<B: Block>(bvh: &MeshBvh, blocks: &[B], ray: &MeshRay) -> Option<MeshHit> {
+                let (boxes, single) = (Boxes::single(bvh, blocks, ray), Single::new(ray));
                 let mut nearest = MeshHit { t: ray.t_max, triangle: u32::MAX };
                 walk(&boxes, ray.t_max, |block, t_max| {
                     let (mask, t) = single.hit(block, t_max);
@@ -255,8 +260,8 @@ macro_rules! kernel {
             }
 
             #[target_feature(enable = $features)]
-            pub(super) fn any(bvh: &MeshBvh, ray: &MeshRay) -> bool {
-                let (boxes, single) = (Boxes::single(bvh, ray), Single::new(ray));
+            pub(super) fn any<B: Block>(bvh: &MeshBvh, blocks: &[B], ray: &MeshRay) -> bool {
+                let (boxes, single) = (Boxes::single(bvh, blocks, ray), Single::new(ray));
                 let t_max = _mm256_set1_ps(ray.t_max);
                 let mut stack = [MaybeUninit::<u32>::uninit(); STACK];
                 let mut top = 0usize;
@@ -271,14 +276,14 @@ macro_rules! kernel {
                         let node = word;
                         word = boxes.child(node, mask.trailing_zeros() as usize);
                         mask &= mask - 1;
+                        // The last of them is the smallest, and asked first.
                         while mask != 0 {
-                            let slot = mask.trailing_zeros() as usize;
-                            mask &= mask - 1;
-                            let other = boxes.child(node, slot);
-                            boxes.prefetch(other);
                             // SAFETY: top stays under STACK by the builder's depth bound.
-                            unsafe { stack.get_unchecked_mut(top).write(other) };
+                            unsafe { stack.get_unchecked_mut(top).write(word) };
                             top += 1;
+                            word = boxes.child(node, mask.trailing_zeros() as usize);
+                            mask &= mask - 1;
+                            boxes.prefetch(word);
                         }
                     }
                     if word != u32::MAX {
@@ -298,8 +303,9 @@ macro_rules! kernel {
 
             /// See [`MeshBvh::nearest`].
             #[target_feature(enable = $features)]
-            pub(super) fn nearest(
+            pub(super) fn nearest<B: Block>(
                 bvh: &MeshBvh,
+                blocks: &[B],
                 ray: &Ray,
                 range: (f64, f64),
                 mut stops: impl FnMut(&TriangleHit) -> bool,
@@ -308,24 +314,28 @@ macro_rules! kernel {
                 if !slab.finite {
                     return None;
                 }
-                let boxes = Boxes::new(bvh, &slab, not_behind(range.0));
+                let boxes = Boxes::new(bvh, blocks, &slab, not_behind(range.0));
                 let double = Double::new(&Sheared::new(ray));
                 let mut best = None;
                 let mut far = range.1;
                 walk(&boxes, not_before(far), |block, t_max| {
-                    let hits = double.hit(block, (range.0, far));
-                    let Some(hit) = hits.nearest(block) else { return t_max };
-                    best = Some(hit);
-                    far = if stops(&hit) { -1.0 } else { hit.t };
-                    not_before(far)
+                    let before = far;
+                    double.hits(block, (range.0, far), |hits| {
+                        if let Some(hit) = hits.nearest(block).filter(|hit| hit.t < far) {
+                            best = Some(hit);
+                            far = if stops(&hit) { -1.0 } else { hit.t };
+                        }
+                    });
+                    if far == before { t_max } else { not_before(far) }
                 });
                 best
             }
 
             /// See [`MeshBvh::all`].
             #[target_feature(enable = $features)]
-            pub(super) fn all(
+            pub(super) fn all<B: Block>(
                 bvh: &MeshBvh,
+                blocks: &[B],
                 ray: &Ray,
                 range: (f64, f64),
                 mut found: impl FnMut(TriangleHit),
@@ -334,10 +344,10 @@ macro_rules! kernel {
                 if !slab.finite {
                     return;
                 }
-                let boxes = Boxes::new(bvh, &slab, not_behind(range.0));
+                let boxes = Boxes::new(bvh, blocks, &slab, not_behind(range.0));
                 let double = Double::new(&Sheared::new(ray));
                 walk(&boxes, not_before(range.1), |block, t_max| {
-                    double.hit(block, range).each(block, &mut found);
+                    double.hits(block, range, |hits| hits.each(block, &mut found));
                     t_max
                 });
             }

@@ -1,17 +1,41 @@
-//! The test of a ray against the four triangles of a leaf, for rays of either precision.
+//! The test of a ray against the triangles of a leaf, for rays of either precision.
+
+use super::block::THIRD;
 
 /// The axes in turn, the one that is named last: a shuffle of four lanes.
 pub(crate) static AXES: [[u32; 4]; 3] = [[1, 2, 0, 3], [2, 0, 1, 3], [0, 1, 2, 3]];
 
-/// `Single` and `Double`: a ray spread over four lanes, made ready for triangles.
+/// How far up in its word a lane has its first or second corner, and its third one. Beyond a word there is nothing:
+/// lanes without triangles have one point for all corners.
+pub(crate) static CORNERS: [[u32; 8]; 2] =
+    [[0, 3, 6, 9, 12, 15, 32, 32], [THIRD, THIRD + 3, THIRD + 6, THIRD + 9, THIRD, THIRD + 3, 32, 32]];
+
+/// `Single` and `Double`: a ray spread over lanes, made ready for triangles.
 macro_rules! leaf_tests {
     ($features:literal) => {
+        /// Which points are the first, second and third corners of each lane; only the lowest three bits count.
+        #[inline]
+        #[target_feature(enable = $features)]
+        fn corners(block: &Shared) -> [__m256i; 3] {
+            // SAFETY: eight numbers each.
+            let (up, third) = unsafe {
+                (
+                    _mm256_loadu_si256(CORNERS[0].as_ptr().cast()),
+                    _mm256_loadu_si256(CORNERS[1].as_ptr().cast()),
+                )
+            };
+            let (a, b) =
+                (_mm256_set1_epi32(block.corner[0] as i32), _mm256_set1_epi32(block.corner[1] as i32));
+            let c = _mm256_blend_epi32::<0b1111_0000>(a, b);
+            [_mm256_srlv_epi32(a, up), _mm256_srlv_epi32(b, up), _mm256_srlv_epi32(c, third)]
+        }
+
         /// A ray in single precision, its axes turned so that the last is its longest.
         struct Single {
-            origin: [__m128; 3],
-            shear: [__m128; 3],
-            t_min: __m128,
-            /// Byte offsets of the axes in a corner.
+            origin: [__m256; 3],
+            shear: [__m256; 3],
+            t_min: __m256,
+            /// Byte offsets of the rows of the axes.
             axis: [usize; 3],
         }
 
@@ -34,76 +58,118 @@ macro_rules! leaf_tests {
                 let shear = _mm_div_ps(_mm_blend_ps::<0b100>(dir, _mm_set1_ps(1.0)), z);
                 let all = |v: __m128| {
                     [
-                        _mm_broadcastss_ps(v),
-                        _mm_shuffle_ps::<0b01_01_01_01>(v, v),
-                        _mm_shuffle_ps::<0b10_10_10_10>(v, v),
+                        _mm256_broadcastss_ps(v),
+                        _mm256_broadcastss_ps(_mm_shuffle_ps::<0b01_01_01_01>(v, v)),
+                        _mm256_broadcastss_ps(_mm_shuffle_ps::<0b10_10_10_10>(v, v)),
                     ]
                 };
                 Single {
                     origin: all(origin),
                     shear: all(shear),
-                    t_min: _mm_set1_ps(ray.t_min),
-                    axis: [16 * axis[0] as usize, 16 * axis[1] as usize, 16 * axis[2] as usize],
+                    t_min: _mm256_set1_ps(ray.t_min),
+                    axis: [32 * axis[0] as usize, 32 * axis[1] as usize, 32 * axis[2] as usize],
                 }
+            }
+
+            /// The corners as the ray sees them, of triangles that share theirs.
+            #[inline]
+            #[target_feature(enable = $features)]
+            fn shared(&self, block: *const Shared) -> ([__m256; 3], [__m256; 3], [__m256; 3]) {
+                let base = block.cast::<u8>();
+                let at = |k: usize| {
+                    // SAFETY: three rows of 32 bytes, in a structure aligned to 64.
+                    let row = unsafe { _mm256_load_ps(base.add(self.axis[k]).cast()) };
+                    _mm256_sub_ps(row, self.origin[k])
+                };
+                let z = at(2);
+                let x = _mm256_fnmadd_ps(self.shear[0], z, at(0));
+                let y = _mm256_fnmadd_ps(self.shear[1], z, at(1));
+                let of = |points: __m256i| {
+                    [
+                        _mm256_permutevar8x32_ps(x, points),
+                        _mm256_permutevar8x32_ps(y, points),
+                        _mm256_permutevar8x32_ps(z, points),
+                    ]
+                };
+                // SAFETY: the block is one of the tree's.
+                let [a, b, c] = corners(unsafe { &*block });
+                (of(a), of(b), of(c))
+            }
+
+            /// The corners as the ray sees them, of triangles that have their own, in the lower four lanes. All corners
+            /// above lie in one place, and so make no hit.
+            #[inline]
+            #[target_feature(enable = $features)]
+            fn loose(&self, block: *const Loose) -> ([__m256; 3], [__m256; 3], [__m256; 3]) {
+                let base = block.cast::<u8>();
+                let at = |corner: usize, k: usize| {
+                    // SAFETY: three corners of three rows of 16 bytes, in a structure aligned to 32.
+                    let row = unsafe { _mm_load_ps(base.add(48 * corner + self.axis[k] / 2).cast()) };
+                    _mm256_sub_ps(_mm256_zextps128_ps256(row), self.origin[k])
+                };
+                let sheared = |corner: usize| {
+                    let z = at(corner, 2);
+                    let x = _mm256_fnmadd_ps(self.shear[0], z, at(corner, 0));
+                    let y = _mm256_fnmadd_ps(self.shear[1], z, at(corner, 1));
+                    [x, y, z]
+                };
+                (sheared(0), sheared(1), sheared(2))
             }
 
             /// A mask of the lanes that have a hit in range, and where.
             #[inline]
             #[target_feature(enable = $features)]
-            fn hit(&self, block: &Block, t_max: f32) -> (u32, __m128) {
-                let base = block.corner.as_ptr().cast::<u8>();
-                let at = |corner: usize, k: usize| {
-                    // SAFETY: three corners of three rows of 16 bytes, in a structure aligned to 16.
-                    let row = unsafe { _mm_load_ps(base.add(48 * corner + self.axis[k]).cast()) };
-                    _mm_sub_ps(row, self.origin[k])
+            fn hit<B: Block>(&self, block: &B, t_max: f32) -> (u32, __m256) {
+                let (a, b, c) = match B::LOOSE {
+                    true => self.loose(ptr::from_ref(block).cast()),
+                    false => self.shared(ptr::from_ref(block).cast()),
                 };
-                let sheared = |corner: usize| {
-                    let z = at(corner, 2);
-                    let x = _mm_fnmadd_ps(self.shear[0], z, at(corner, 0));
-                    let y = _mm_fnmadd_ps(self.shear[1], z, at(corner, 1));
-                    (x, y, z)
-                };
-                let (a, b, c) = (sheared(0), sheared(1), sheared(2));
                 // No fused operation here: a shared edge must give exact negatives on its two sides.
-                let edge = |p: (__m128, __m128, __m128), q: (__m128, __m128, __m128)| {
-                    _mm_sub_ps(_mm_mul_ps(p.0, q.1), _mm_mul_ps(p.1, q.0))
+                let edge = |p: [__m256; 3], q: [__m256; 3]| {
+                    _mm256_sub_ps(_mm256_mul_ps(p[0], q[1]), _mm256_mul_ps(p[1], q[0]))
                 };
                 let (u, v, w) = (edge(c, b), edge(a, c), edge(b, a));
-                let zero = _mm_setzero_ps();
-                let least = _mm_min_ps(_mm_min_ps(u, v), w);
-                let most = _mm_max_ps(_mm_max_ps(u, v), w);
-                let one_sided = _mm_or_ps(_mm_cmpge_ps(least, zero), _mm_cmple_ps(most, zero));
+                let zero = _mm256_setzero_ps();
+                let least = _mm256_min_ps(_mm256_min_ps(u, v), w);
+                let most = _mm256_max_ps(_mm256_max_ps(u, v), w);
+                let one_sided = _mm256_or_ps(
+                    _mm256_cmp_ps::<_CMP_GE_OQ>(least, zero),
+                    _mm256_cmp_ps::<_CMP_LE_OQ>(most, zero),
+                );
                 // No way out here: a branch that is often mistaken costs more than the rest.
-                let det = _mm_add_ps(_mm_add_ps(u, v), w);
-                let scaled = _mm_fmadd_ps(w, c.2, _mm_fmadd_ps(v, b.2, _mm_mul_ps(u, a.2)));
-                let t = _mm_div_ps(_mm_mul_ps(scaled, self.shear[2]), det);
+                let det = _mm256_add_ps(_mm256_add_ps(u, v), w);
+                let scaled = _mm256_fmadd_ps(w, c[2], _mm256_fmadd_ps(v, b[2], _mm256_mul_ps(u, a[2])));
+                let t = _mm256_div_ps(_mm256_mul_ps(scaled, self.shear[2]), det);
                 // A det of 0 makes t infinite or not a number, which no comparison accepts.
-                let after = _mm_cmpge_ps(t, self.t_min);
-                let before = _mm_cmple_ps(t, _mm_set1_ps(t_max));
-                let ok = _mm_and_ps(one_sided, _mm_and_ps(after, before));
-                (_mm_movemask_ps(ok) as u32, _mm_blendv_ps(_mm_set1_ps(f32::INFINITY), t, ok))
+                let after = _mm256_cmp_ps::<_CMP_GE_OQ>(t, self.t_min);
+                let before = _mm256_cmp_ps::<_CMP_LE_OQ>(t, _mm256_set1_ps(t_max));
+                let ok = _mm256_and_ps(one_sided, _mm256_and_ps(after, before));
+                (_mm256_movemask_ps(ok) as u32, _mm256_blendv_ps(_mm256_set1_ps(f32::INFINITY), t, ok))
             }
         }
 
         #[inline]
         #[target_feature(enable = $features)]
-        fn nearest_lane(block: &Block, t: __m128) -> MeshHit {
-            let pairs = _mm_min_ps(t, _mm_shuffle_ps::<0b10_11_00_01>(t, t));
-            let least = _mm_min_ps(pairs, _mm_shuffle_ps::<0b01_00_11_10>(pairs, pairs));
-            let lane = _mm_movemask_ps(_mm_cmpeq_ps(t, least)).trailing_zeros() as usize & 3;
-            MeshHit { t: _mm_cvtss_f32(least), triangle: block.triangle[lane] }
+        fn nearest_lane<B: Block>(block: &B, t: __m256) -> MeshHit {
+            let halves = _mm256_min_ps(t, _mm256_permute2f128_ps::<1>(t, t));
+            let pairs = _mm256_min_ps(halves, _mm256_permute_ps::<0b01_00_11_10>(halves));
+            let least = _mm256_min_ps(pairs, _mm256_permute_ps::<0b10_11_00_01>(pairs));
+            let lane = _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_EQ_OQ>(t, least)).trailing_zeros() as usize;
+            MeshHit { t: _mm256_cvtss_f32(least), triangle: block.triangle(lane) }
         }
 
         /// A ray in double precision.
         struct Double {
             origin: [__m256d; 3],
             shear: [__m256d; 3],
-            /// Byte offsets of the axes in a corner.
+            /// Byte offsets of the rows of the axes.
             axis: [usize; 3],
         }
 
-        /// What [`Double::hit`] has found, a lane for each triangle.
+        /// What [`Double::hit`] has found, a lane for each of four triangles.
         struct Hits {
+            /// The first lane.
+            first: usize,
             mask: u32,
             t: __m256d,
             v: __m256d,
@@ -127,19 +193,59 @@ macro_rules! leaf_tests {
                         _mm256_set1_pd(ray.shear.y),
                         _mm256_set1_pd(ray.shear.z),
                     ],
-                    axis: [16 * x, 16 * y, 16 * z],
+                    axis: [32 * x, 32 * y, 32 * z],
                 }
             }
 
-            /// The hits with `range.0 < t < range.1`.
+            /// The hits with `range.0 < t < range.1` of the first four triangles, then those of the others.
             #[inline]
             #[target_feature(enable = $features)]
-            fn hit(&self, block: &Block, range: (f64, f64)) -> Hits {
-                let base = block.corner.as_ptr().cast::<u8>();
+            fn hits<B: Block>(&self, block: &B, range: (f64, f64), mut found: impl FnMut(&Hits)) {
+                let base = ptr::from_ref(block).cast::<u8>();
+                if B::LOOSE {
+                    let row = |corner: usize, k: usize| {
+                        // SAFETY: three corners of three rows of 16 bytes, in a structure aligned to 32.
+                        unsafe { _mm_load_ps(base.add(48 * corner + self.axis[k] / 2).cast()) }
+                    };
+                    let of = |corner: usize| [row(corner, 0), row(corner, 1), row(corner, 2)];
+                    found(&self.hit(0, [of(0), of(1), of(2)], range));
+                    return;
+                }
+                // SAFETY: three rows of 32 bytes, in a structure aligned to 64.
+                let row = |k: usize| unsafe { _mm256_load_ps(base.add(self.axis[k]).cast()) };
+                let (x, y, z) = (row(0), row(1), row(2));
+                // SAFETY: what is not loose is shared.
+                let [a, b, c] = corners(unsafe { &*base.cast() });
+                let of = |points: __m256i| {
+                    [
+                        _mm256_permutevar8x32_ps(x, points),
+                        _mm256_permutevar8x32_ps(y, points),
+                        _mm256_permutevar8x32_ps(z, points),
+                    ]
+                };
+                let (a, b, c) = (of(a), of(b), of(c));
+                let low = |p: [__m256; 3]| {
+                    [_mm256_castps256_ps128(p[0]), _mm256_castps256_ps128(p[1]), _mm256_castps256_ps128(p[2])]
+                };
+                found(&self.hit(0, [low(a), low(b), low(c)], range));
+                if block.triangle(4) != u32::MAX {
+                    let high = |p: [__m256; 3]| {
+                        [
+                            _mm256_extractf128_ps::<1>(p[0]),
+                            _mm256_extractf128_ps::<1>(p[1]),
+                            _mm256_extractf128_ps::<1>(p[2]),
+                        ]
+                    };
+                    found(&self.hit(4, [high(a), high(b), high(c)], range));
+                }
+            }
+
+            /// The hits of four triangles given by their corners, from lane `first` on.
+            #[inline]
+            #[target_feature(enable = $features)]
+            fn hit(&self, first: usize, corners: [[__m128; 3]; 3], range: (f64, f64)) -> Hits {
                 let at = |corner: usize, k: usize| {
-                    // SAFETY: three corners of three rows of 16 bytes, in a structure aligned to 16.
-                    let row = unsafe { _mm_load_ps(base.add(48 * corner + self.axis[k]).cast()) };
-                    _mm256_sub_pd(_mm256_cvtps_pd(row), self.origin[k])
+                    _mm256_sub_pd(_mm256_cvtps_pd(corners[corner][k]), self.origin[k])
                 };
                 let sheared = |corner: usize| {
                     let z = at(corner, 2);
@@ -162,7 +268,7 @@ macro_rules! leaf_tests {
                 );
                 let det = _mm256_add_pd(_mm256_add_pd(u, v), w);
                 if _mm256_movemask_pd(one_sided) == 0 {
-                    return Hits { mask: 0, t: zero, v, w, det };
+                    return Hits { first, mask: 0, t: zero, v, w, det };
                 }
                 let scaled = _mm256_fmadd_pd(w, c.2, _mm256_fmadd_pd(v, b.2, _mm256_mul_pd(u, a.2)));
                 let t = _mm256_div_pd(_mm256_mul_pd(scaled, self.shear[2]), det);
@@ -170,7 +276,7 @@ macro_rules! leaf_tests {
                 let after = _mm256_cmp_pd::<_CMP_GT_OQ>(t, _mm256_set1_pd(range.0));
                 let before = _mm256_cmp_pd::<_CMP_LT_OQ>(t, _mm256_set1_pd(range.1));
                 let ok = _mm256_and_pd(one_sided, _mm256_and_pd(after, before));
-                Hits { mask: _mm256_movemask_pd(ok) as u32, t, v, w, det }
+                Hits { first, mask: _mm256_movemask_pd(ok) as u32, t, v, w, det }
             }
         }
 
@@ -178,7 +284,7 @@ macro_rules! leaf_tests {
             /// Shows all of them to `found`.
             #[inline]
             #[target_feature(enable = $features)]
-            fn each(&self, block: &Block, mut found: impl FnMut(TriangleHit)) {
+            fn each<B: Block>(&self, block: &B, mut found: impl FnMut(TriangleHit)) {
                 if self.mask == 0 {
                     return;
                 }
@@ -196,7 +302,7 @@ macro_rules! leaf_tests {
                     mask &= mask - 1;
                     found(TriangleHit {
                         t: t[i],
-                        face: block.triangle[i],
+                        face: block.triangle(self.first + i),
                         u: v[i] / det[i],
                         v: w[i] / det[i],
                     });
@@ -206,7 +312,7 @@ macro_rules! leaf_tests {
             /// The nearest of them.
             #[inline]
             #[target_feature(enable = $features)]
-            fn nearest(&self, block: &Block) -> Option<TriangleHit> {
+            fn nearest<B: Block>(&self, block: &B) -> Option<TriangleHit> {
                 let mut best: Option<TriangleHit> = None;
                 self.each(block, |hit| {
                     if best.is_none_or(|b| hit.t < b.t) {

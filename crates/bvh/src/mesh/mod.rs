@@ -1,7 +1,6 @@
 //! The triangle mesh room: a hierarchy over triangles in single precision, as fast as the machine allows.
 //!
-//! Nodes have eight children with full-precision boxes, leaves hold one block of up to four triangles. The triangle
-//! test is watertight (Woop, Benthin, Wald: "Watertight Ray/Triangle Intersection", JCGT 2013): edge functions of a
+//! Nodes have eight children with full-precision boxes, leaves hold one block of a few triangles. The triangle test is watertight (Woop, Benthin, Wald: "Watertight Ray/Triangle Intersection", JCGT 2013): edge functions of a
 //! shared edge are exact negatives of each other, so no ray slips through between two triangles. The box test subtracts
 //! before it scales and widens the far side by its own rounding error (Ize: "Robust BVH Ray Traversal", JCGT 2013).
 //!
@@ -10,6 +9,8 @@
 //!
 //! [`scalar`] says what the answer is; [`wide`] gives the same hits with wide instructions where the machine has them.
 
+#[macro_use]
+mod block;
 #[macro_use]
 mod leaf;
 #[macro_use]
@@ -22,6 +23,8 @@ mod scalar;
 mod wide;
 
 use raggio_math::{Aabb, Ray};
+
+pub(crate) use block::{Block, Blocks};
 
 use crate::build::{MAX_DEPTH, Tree};
 use crate::node::{Child, Node};
@@ -62,20 +65,7 @@ pub struct TriangleHit {
     pub v: f64,
 }
 
-/// Triangles in a block.
-pub(crate) const LANES: usize = 4;
-
-/// Up to four triangles; unused lanes have corners that are not numbers, which no test lets pass.
-#[derive(Clone, Copy, Debug)]
-#[repr(C, align(32))]
-pub(crate) struct Block {
-    /// `corner[k][axis][lane]`
-    pub corner: [[[f32; LANES]; 3]; 3],
-    /// Index of each triangle; `u32::MAX` in unused lanes.
-    pub triangle: [u32; LANES],
-}
-
-/// Marks a child word as a leaf: the rest is where its [`Block`] is. All places are bytes from the first, by [`UNIT`].
+/// Marks a child word as a leaf: the rest is where its block is. All places are bytes from the first, by [`UNIT`].
 pub(crate) const LEAF: u32 = Child::LEAF;
 
 /// What the places in child words are multiples of: the largest factor that an address can have.
@@ -83,6 +73,11 @@ pub(crate) const UNIT: usize = 8;
 
 /// Trees of more bytes are taken to be in no cache.
 const CACHED: usize = 16 << 20;
+
+/// The block that a leaf's word names.
+pub(crate) fn block<B: Block>(blocks: &[B], word: u32) -> &B {
+    &blocks[(word & !LEAF) as usize * UNIT / size_of::<B>()]
+}
 
 /// The word of the root.
 pub(crate) const ROOT: u32 = 0;
@@ -94,7 +89,7 @@ pub(crate) const STACK: usize = MAX_DEPTH * 7 + 8;
 #[derive(Debug)]
 pub struct MeshBvh {
     pub(crate) nodes: Vec<Node>,
-    pub(crate) blocks: Vec<Block>,
+    pub(crate) blocks: Blocks,
     bounds: Aabb,
     isa: wide::Isa,
     /// Is most of it in no cache, so that rays had better call for their next nodes early?
@@ -152,25 +147,27 @@ pub struct PacketHit {
 impl MeshBvh {
     /// Builds over triangles given by indices into `vertices`. Coordinates must be finite.
     pub fn build(vertices: &[[f32; 3]], triangles: &[[u32; 3]]) -> MeshBvh {
-        let (Tree { mut nodes, leaves: blocks }, bounds) = build::build(vertices, triangles);
+        match build::loose(vertices, triangles) {
+            true => MeshBvh::of(build::build(vertices, triangles), Blocks::Loose),
+            false => MeshBvh::of(build::build(vertices, triangles), Blocks::Shared),
+        }
+    }
+
+    fn of<B: Block>((tree, bounds): (Tree<B>, Aabb), kind: fn(Vec<B>) -> Blocks) -> MeshBvh {
+        let Tree { mut nodes, leaves } = tree;
         for word in nodes.iter_mut().flat_map(|node| &mut node.child) {
             let leaf = *word & LEAF;
-            let size = if leaf == 0 { size_of::<Node>() } else { size_of::<Block>() };
+            let size = if leaf == 0 { size_of::<Node>() } else { size_of::<B>() };
             *word = leaf | ((*word & !LEAF) * (size / UNIT) as u32);
         }
         let isa = *wide::Isa::all().last().unwrap_or(&wide::Isa::Scalar);
-        let far_off = size_of_val(&nodes[..]) + size_of_val(&blocks[..]) > CACHED;
-        MeshBvh { nodes, blocks, bounds, isa, far_off }
+        let far_off = size_of_val(&nodes[..]) + size_of_val(&leaves[..]) > CACHED;
+        MeshBvh { nodes, blocks: kind(leaves), bounds, isa, far_off }
     }
 
     /// The node that a word names.
     pub(crate) fn node(&self, word: u32) -> &Node {
         &self.nodes[word as usize * UNIT / size_of::<Node>()]
-    }
-
-    /// The block that a leaf's word names.
-    pub(crate) fn block(&self, word: u32) -> &Block {
-        &self.blocks[(word & !LEAF) as usize * UNIT / size_of::<Block>()]
     }
 
     /// A box around all triangles.
@@ -193,7 +190,7 @@ impl MeshBvh {
 
     /// The size of the whole structure in bytes.
     pub fn bytes(&self) -> usize {
-        size_of_val(&self.nodes[..]) + size_of_val(&self.blocks[..])
+        size_of_val(&self.nodes[..]) + with_blocks!(&self.blocks, list => size_of_val(&list[..]))
     }
 
     /// The nearest triangle with `t_min <= t <= t_max`.

@@ -12,7 +12,7 @@ pub(crate) fn closest(bvh: &MeshBvh, packet: &Packet) -> PacketHit {
     #[cfg(target_arch = "x86_64")]
     if bvh.isa == super::wide::Isa::Avx512 {
         // SAFETY: the machine has what `Isa::Avx512` names.
-        if let Some(hit) = unsafe { x86::closest(bvh, packet) } {
+        if let Some(hit) = with_blocks!(&bvh.blocks, list => unsafe { x86::closest(bvh, list, packet) }) {
             return hit;
         }
     }
@@ -30,7 +30,7 @@ pub(crate) fn any(bvh: &MeshBvh, packet: &Packet) -> u16 {
     #[cfg(target_arch = "x86_64")]
     if bvh.isa == super::wide::Isa::Avx512 {
         // SAFETY: as in `closest`.
-        if let Some(mask) = unsafe { x86::any(bvh, packet) } {
+        if let Some(mask) = with_blocks!(&bvh.blocks, list => unsafe { x86::any(bvh, list, packet) }) {
             return mask;
         }
     }
@@ -43,7 +43,7 @@ mod x86 {
     use std::mem::MaybeUninit;
 
     use crate::kernel::SLACK;
-    use crate::mesh::{Block, LEAF, MeshBvh, Node, Packet, PacketHit, ROOT, STACK};
+    use crate::mesh::{Block, LEAF, MeshBvh, Node, Packet, PacketHit, ROOT, STACK, block};
 
     /// A packet whose rays all go into the same octant, and bounds over them.
     struct Bundle {
@@ -155,10 +155,10 @@ mod x86 {
         /// Which rays hit one triangle of a block before their `t_max`, and where.
         #[inline]
         #[target_feature(enable = "avx2,fma,avx512f,avx512vl,avx512dq")]
-        fn hit(&self, block: &Block, lane: usize, t_max: __m512) -> (u16, __m512) {
+        fn hit<B: Block>(&self, block: &B, lane: usize, t_max: __m512) -> (u16, __m512) {
             let at = |corner: usize, k: usize| {
                 let axis = self.k[k];
-                _mm512_sub_ps(_mm512_set1_ps(block.corner[corner][axis][lane]), self.origin[axis])
+                _mm512_sub_ps(_mm512_set1_ps(block.corner(lane, corner)[axis]), self.origin[axis])
             };
             let sheared = |corner: usize| {
                 let z = at(corner, 2);
@@ -185,12 +185,6 @@ mod x86 {
             let after = _mm512_mask_cmp_ps_mask::<_CMP_GE_OQ>(one_sided, t, self.t_min);
             (_mm512_mask_cmp_ps_mask::<_CMP_LE_OQ>(after, t, t_max), t)
         }
-    }
-
-    /// How many triangles a block holds.
-    #[inline(always)]
-    fn lanes(block: &Block) -> usize {
-        block.triangle.iter().take_while(|&&t| t != u32::MAX).count()
     }
 
     /// Children waiting, the nearest on top. The room is borrowed: as a field beside `top` it would be zeroed for each
@@ -227,11 +221,12 @@ mod x86 {
     /// Walks the tree for the rays that are still `alive`; `leaf` is shown blocks and answers with `t_max` of all rays.
     #[inline]
     #[target_feature(enable = "avx2,fma,avx512f,avx512vl,avx512dq")]
-    fn walk(
+    fn walk<B: Block>(
         bvh: &MeshBvh,
+        blocks: &[B],
         bundle: &Bundle,
         mut t_max: __m512,
-        mut leaf: impl FnMut(&Block, __m512) -> Option<__m512>,
+        mut leaf: impl FnMut(&B, __m512) -> Option<__m512>,
     ) {
         let mut room = [MaybeUninit::uninit(); STACK];
         let mut stack = Stack { entries: &mut room, top: 0 };
@@ -242,7 +237,7 @@ mod x86 {
                 continue;
             }
             if word & LEAF != 0 {
-                match leaf(bvh.block(word), t_max) {
+                match leaf(block(blocks, word), t_max) {
                     Some(shorter) => t_max = shorter,
                     None => return,
                 }
@@ -266,17 +261,17 @@ mod x86 {
     }
 
     #[target_feature(enable = "avx2,fma,avx512f,avx512vl,avx512dq")]
-    pub(super) fn closest(bvh: &MeshBvh, packet: &Packet) -> Option<PacketHit> {
+    pub(super) fn closest<B: Block>(bvh: &MeshBvh, blocks: &[B], packet: &Packet) -> Option<PacketHit> {
         let bundle = Bundle::new(packet)?;
         // SAFETY: sixteen floats, aligned to 64 by the type.
         let t_max = unsafe { _mm512_load_ps(packet.t_max.as_ptr()) };
         let mut triangle = _mm512_set1_epi32(-1);
         let mut nearest = t_max;
-        walk(bvh, &bundle, t_max, |block, mut t_max| {
-            for lane in 0..lanes(block) {
+        walk(bvh, blocks, &bundle, t_max, |block, mut t_max| {
+            for lane in 0..block.lanes() {
                 let (mask, t) = bundle.hit(block, lane, t_max);
                 t_max = _mm512_mask_mov_ps(t_max, mask, t);
-                triangle = _mm512_mask_set1_epi32(triangle, mask, block.triangle[lane] as i32);
+                triangle = _mm512_mask_set1_epi32(triangle, mask, block.triangle(lane) as i32);
             }
             nearest = t_max;
             Some(t_max)
@@ -293,13 +288,13 @@ mod x86 {
     }
 
     #[target_feature(enable = "avx2,fma,avx512f,avx512vl,avx512dq")]
-    pub(super) fn any(bvh: &MeshBvh, packet: &Packet) -> Option<u16> {
+    pub(super) fn any<B: Block>(bvh: &MeshBvh, blocks: &[B], packet: &Packet) -> Option<u16> {
         let bundle = Bundle::new(packet)?;
         // SAFETY: sixteen floats, aligned to 64 by the type.
         let t_max = unsafe { _mm512_load_ps(packet.t_max.as_ptr()) };
         let mut found = 0u16;
-        walk(bvh, &bundle, t_max, |block, mut t_max| {
-            for lane in 0..lanes(block) {
+        walk(bvh, blocks, &bundle, t_max, |block, mut t_max| {
+            for lane in 0..block.lanes() {
                 let (mask, _) = bundle.hit(block, lane, t_max);
                 found |= mask;
                 // A ray that has hit something enters nothing any more.

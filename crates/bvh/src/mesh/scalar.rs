@@ -3,7 +3,7 @@
 use raggio_math::Ray;
 
 use super::double::Sheared;
-use super::{Block, LANES, LEAF, MeshBvh, MeshHit, MeshRay, Node, ROOT, STACK, TriangleHit};
+use super::{Block, LEAF, MeshBvh, MeshHit, MeshRay, Node, ROOT, STACK, TriangleHit, block};
 use crate::kernel::{SLACK, Slab};
 use crate::round::{not_before, not_behind};
 
@@ -56,7 +56,14 @@ fn child_entry(node: &Node, slot: usize, slab: &Slab, t_min: f32, t_max: f32) ->
 
 /// Shows `leaf` the blocks on the ray, the near ones first as far as boxes tell. It is given the distance beyond which
 /// nothing interests any more and answers with the new one, a negative one to end the search.
-fn walk(bvh: &MeshBvh, slab: &Slab, t_min: f32, mut t_max: f32, mut leaf: impl FnMut(&Block, f32) -> f32) {
+fn walk<B: Block>(
+    bvh: &MeshBvh,
+    blocks: &[B],
+    slab: &Slab,
+    t_min: f32,
+    mut t_max: f32,
+    mut leaf: impl FnMut(&B, f32) -> f32,
+) {
     let mut stack: Vec<(f32, u32)> = Vec::with_capacity(STACK);
     stack.push((t_min, ROOT));
     while let Some((entry, word)) = stack.pop() {
@@ -64,7 +71,7 @@ fn walk(bvh: &MeshBvh, slab: &Slab, t_min: f32, mut t_max: f32, mut leaf: impl F
             continue;
         }
         if word & LEAF != 0 {
-            t_max = leaf(bvh.block(word), t_max);
+            t_max = leaf(block(blocks, word), t_max);
             continue;
         }
         let node = bvh.node(word);
@@ -79,12 +86,13 @@ fn walk(bvh: &MeshBvh, slab: &Slab, t_min: f32, mut t_max: f32, mut leaf: impl F
 }
 
 /// The nearest triangle of a block.
-fn hit_block(block: &Block, ray: &Prepared, t_min: f32, t_max: f32) -> Option<MeshHit> {
+fn hit_block<B: Block>(block: &B, ray: &Prepared, t_min: f32, t_max: f32) -> Option<MeshHit> {
     let mut best = None;
     let mut t_best = t_max;
-    for lane in 0..LANES {
+    for lane in 0..block.lanes() {
         let sheared = |corner: usize| {
-            let at = |axis: usize| block.corner[corner][axis][lane] - ray.origin[axis];
+            let point = block.corner(lane, corner);
+            let at = |axis: usize| point[axis] - ray.origin[axis];
             let z = at(ray.k[2]);
             ((-ray.shear[0]).mul_add(z, at(ray.k[0])), (-ray.shear[1]).mul_add(z, at(ray.k[1])), z)
         };
@@ -99,17 +107,17 @@ fn hit_block(block: &Block, ray: &Prepared, t_min: f32, t_max: f32) -> Option<Me
         let t = (u * a.2 + v * b.2 + w * c.2) * ray.shear[2] / det;
         if t >= t_min && t <= t_best && det != 0.0 {
             t_best = t;
-            best = Some(MeshHit { t, triangle: block.triangle[lane] });
+            best = Some(MeshHit { t, triangle: block.triangle(lane) });
         }
     }
     best
 }
 
 /// See [`MeshBvh::closest`].
-pub(crate) fn closest(bvh: &MeshBvh, ray: &MeshRay) -> Option<MeshHit> {
+pub(crate) fn closest<B: Block>(bvh: &MeshBvh, blocks: &[B], ray: &MeshRay) -> Option<MeshHit> {
     let prepared = Prepared::new(ray);
     let mut best = None;
-    walk(bvh, &slab(ray), ray.t_min, ray.t_max, |block, t_max| {
+    walk(bvh, blocks, &slab(ray), ray.t_min, ray.t_max, |block, t_max| {
         let Some(hit) = hit_block(block, &prepared, ray.t_min, t_max) else { return t_max };
         best = Some(hit);
         hit.t
@@ -118,13 +126,14 @@ pub(crate) fn closest(bvh: &MeshBvh, ray: &MeshRay) -> Option<MeshHit> {
 }
 
 /// See [`MeshBvh::any`].
-pub(crate) fn any(bvh: &MeshBvh, ray: &MeshRay) -> bool {
-    closest(bvh, ray).is_some()
+pub(crate) fn any<B: Block>(bvh: &MeshBvh, blocks: &[B], ray: &MeshRay) -> bool {
+    closest(bvh, blocks, ray).is_some()
 }
 
 /// See [`MeshBvh::nearest`].
-pub(crate) fn nearest(
+pub(crate) fn nearest<B: Block>(
     bvh: &MeshBvh,
+    blocks: &[B],
     ray: &Ray,
     range: (f64, f64),
     mut stops: impl FnMut(&TriangleHit) -> bool,
@@ -135,7 +144,7 @@ pub(crate) fn nearest(
         return None;
     }
     let mut far = range.1;
-    walk(bvh, &slab, not_behind(range.0), not_before(far), |block, t_max| {
+    walk(bvh, blocks, &slab, not_behind(range.0), not_before(far), |block, t_max| {
         let before = far;
         sheared.hits(block, (range.0, far), |hit| {
             if hit.t < far {
@@ -154,12 +163,18 @@ pub(crate) fn nearest(
 }
 
 /// See [`MeshBvh::all`].
-pub(crate) fn all(bvh: &MeshBvh, ray: &Ray, range: (f64, f64), mut found: impl FnMut(TriangleHit)) {
+pub(crate) fn all<B: Block>(
+    bvh: &MeshBvh,
+    blocks: &[B],
+    ray: &Ray,
+    range: (f64, f64),
+    mut found: impl FnMut(TriangleHit),
+) {
     let (slab, sheared) = (Slab::new(ray), Sheared::new(ray));
     if !slab.finite {
         return;
     }
-    walk(bvh, &slab, not_behind(range.0), not_before(range.1), |block, t_max| {
+    walk(bvh, blocks, &slab, not_behind(range.0), not_before(range.1), |block, t_max| {
         sheared.hits(block, range, &mut found);
         t_max
     });

@@ -37,6 +37,12 @@ fn soup(count: u32, size: f32, random: &mut Random) -> (Vec<[f32; 3]>, Vec<[u32;
     (vertices, (0..count).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect())
 }
 
+/// A band of triangles that hang together.
+fn band(count: u32, random: &mut Random) -> (Vec<[f32; 3]>, Vec<[u32; 3]>) {
+    let vertices = (0..count + 2).map(|i| random.point().map(|c| 0.5 * c + 0.5 * (i as f32 * 0.01).sin()));
+    (vertices.collect(), (0..count).map(|i| [i, i + 1, i + 2]).collect())
+}
+
 /// Every triangle tested on its own, through a structure that holds just that one.
 fn brute_force(vertices: &[[f32; 3]], triangles: &[[u32; 3]], ray: &MeshRay) -> Option<f32> {
     let one = |t: &[u32; 3]| scalar_closest(&MeshBvh::build(vertices, &[*t]), ray).map(|h| h.t);
@@ -44,14 +50,16 @@ fn brute_force(vertices: &[[f32; 3]], triangles: &[[u32; 3]], ray: &MeshRay) -> 
 }
 
 fn scalar_closest(bvh: &MeshBvh, ray: &MeshRay) -> Option<MeshHit> {
-    scalar::closest(bvh, ray)
+    with_blocks!(&bvh.blocks, list => scalar::closest(bvh, list, ray))
 }
 
 #[test]
 fn every_kernel_agrees_with_brute_force() {
     let mut random = Random(7);
-    for (count, size) in [(1, 0.5), (3, 0.5), (40, 0.3), (200, 0.05), (200, 2.0)] {
-        let (vertices, triangles) = soup(count, size, &mut random);
+    let soups = [(1, 0.5), (3, 0.5), (40, 0.3), (200, 0.05), (200, 2.0)];
+    let mut meshes = soups.map(|(count, size)| soup(count, size, &mut random)).to_vec();
+    meshes.extend([1, 5, 6, 9, 250].map(|count| band(count, &mut random)));
+    for (vertices, triangles) in meshes {
         let mut bvh = MeshBvh::build(&vertices, &triangles);
         for _ in 0..times(200) {
             let ray = ray(random.point().map(|c| 2.0 * c), random.point());
@@ -247,6 +255,12 @@ fn rays_in_double_precision_are_exact_at_any_scale() {
 }
 
 /// Large meshes are built in parts, by all threads.
+/// The triangles of all blocks, one block after the other.
+fn listed_triangles<B: Block>(blocks: &[B]) -> Vec<u32> {
+    let lanes = |block: &B| (0..B::LANES).map(|lane| block.triangle(lane)).collect::<Vec<_>>();
+    blocks.iter().flat_map(lanes).collect()
+}
+
 #[test]
 #[cfg_attr(miri, ignore = "takes hours there")]
 fn large_meshes_are_the_same_for_any_number_of_threads() {
@@ -256,10 +270,10 @@ fn large_meshes_are_the_same_for_any_number_of_threads() {
         pool.install(|| MeshBvh::build(&vertices, &triangles))
     };
     let (one, three) = (built(1), built(3));
-    let blocks = |bvh: &MeshBvh| bvh.blocks.iter().map(|block| block.triangle).collect::<Vec<_>>();
+    let blocks = |bvh: &MeshBvh| with_blocks!(&bvh.blocks, list => listed_triangles(list));
     let nodes = |bvh: &MeshBvh| bvh.nodes.iter().map(|node| (node.bounds, node.child)).collect::<Vec<_>>();
     assert!(nodes(&one) == nodes(&three) && blocks(&one) == blocks(&three));
-    let mut listed: Vec<u32> = blocks(&one).into_iter().flatten().filter(|&t| t != u32::MAX).collect();
+    let mut listed: Vec<u32> = blocks(&one).into_iter().filter(|&t| t != u32::MAX).collect();
     listed.sort_unstable();
     assert!(listed.into_iter().eq(0..150_000));
     for i in (0..150_000).step_by(997) {
@@ -337,5 +351,25 @@ fn a_tree_follows_its_vertices() {
             hits += u32::from(built.any(&ray));
         }
         assert!(hits > 0 || count < 300 || cfg!(miri));
+    }
+}
+
+/// Corners that lie in one place are one point of a block, whether they are one vertex or not, until they part.
+#[test]
+fn corners_in_one_place_may_part() {
+    let (shared, corners) = band(300, &mut Random(29));
+    let mut vertices: Vec<[f32; 3]> = corners.iter().flatten().map(|&v| shared[v as usize]).collect();
+    let triangles: Vec<[u32; 3]> = (0..300).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
+    let mut bvh = MeshBvh::build(&vertices, &triangles);
+    assert!(matches!(bvh.blocks, Blocks::Shared(_)));
+    for triangle in vertices.chunks_mut(3) {
+        let centre = [0, 1, 2].map(|k| (triangle[0][k] + triangle[1][k] + triangle[2][k]) / 3.0);
+        triangle.iter_mut().for_each(|p| *p = [0, 1, 2].map(|k| 0.5 * (p[k] + centre[k])));
+    }
+    bvh.refit(&vertices, &triangles);
+    let (built, mut random) = (MeshBvh::build(&vertices, &triangles), Random(31));
+    for _ in 0..times(500) {
+        let ray = ray(random.point(), random.point());
+        assert_eq!(bvh.closest(&ray).map(|h| h.t), built.closest(&ray).map(|h| h.t), "{ray:?}");
     }
 }

@@ -1,4 +1,4 @@
-//! The traversal with wide instructions: eight boxes at a time, four triangles at a time.
+//! The traversal with wide instructions: eight boxes at a time, four to eight triangles at a time.
 //!
 //! One kernel, compiled twice: for AVX2, and for AVX-512, whose 32 registers hold all of a ray.
 #![allow(unsafe_code)]
@@ -38,30 +38,30 @@ impl Isa {
     }
 }
 
-/// Asks the kernel of the mesh's instructions.
+/// Asks the kernel of the mesh's instructions and of its kind of blocks.
 macro_rules! dispatch {
-    ($isa:expr, $question:ident($($argument:expr),*)) => {
+    ($bvh:expr, $question:ident($($argument:expr),*)) => {
         // SAFETY: `Isa::all` names only what the machine can run, and it is the only source of an `Isa`.
-        match $isa {
-            Isa::Scalar => scalar::$question($($argument),*),
+        with_blocks!(&$bvh.blocks, list => match $bvh.isa {
+            Isa::Scalar => scalar::$question($bvh, list, $($argument),*),
             #[cfg(target_arch = "x86_64")]
-            Isa::Avx2 => unsafe { avx2::$question($($argument),*) },
+            Isa::Avx2 => unsafe { avx2::$question($bvh, list, $($argument),*) },
             #[cfg(target_arch = "x86_64")]
-            Isa::Avx512 => unsafe { avx512::$question($($argument),*) },
-        }
+            Isa::Avx512 => unsafe { avx512::$question($bvh, list, $($argument),*) },
+        })
     };
 }
 
 /// See [`MeshBvh::closest`].
 #[inline]
 pub(crate) fn closest(bvh: &MeshBvh, ray: &MeshRay) -> Option<MeshHit> {
-    dispatch!(bvh.isa, closest(bvh, ray))
+    dispatch!(bvh, closest(ray))
 }
 
 /// See [`MeshBvh::any`].
 #[inline]
 pub(crate) fn any(bvh: &MeshBvh, ray: &MeshRay) -> bool {
-    dispatch!(bvh.isa, any(bvh, ray))
+    dispatch!(bvh, any(ray))
 }
 
 /// See [`MeshBvh::nearest`].
@@ -72,13 +72,13 @@ pub(crate) fn nearest(
     range: (f64, f64),
     stops: impl FnMut(&TriangleHit) -> bool,
 ) -> Option<TriangleHit> {
-    dispatch!(bvh.isa, nearest(bvh, ray, range, stops))
+    dispatch!(bvh, nearest(ray, range, stops))
 }
 
 /// See [`MeshBvh::all`].
 #[inline]
 pub(crate) fn all(bvh: &MeshBvh, ray: &Ray, range: (f64, f64), found: impl FnMut(TriangleHit)) {
-    dispatch!(bvh.isa, all(bvh, ray, range, found));
+    dispatch!(bvh, all(ray, range, found));
 }
 
 #[cfg(target_arch = "x86_64")]

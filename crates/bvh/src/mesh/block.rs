@@ -1,0 +1,229 @@
+//! The leaves: blocks of a few triangles. Those of most meshes share their corners, which are kept once, so that six of
+//! them take two lines of the processor's cache. Where triangles hang together nowhere, four keep their corners each.
+
+use crate::build::Bounds;
+
+/// Most triangles in a shared block. Six that hang together edge by edge have eight points at most.
+const SHARED: usize = 6;
+
+/// Triangles in a loose block.
+const LOOSE: usize = 4;
+
+/// Points in a block.
+pub(crate) const POINTS: usize = 8;
+
+/// How far the third corner of the first four lanes is up in its word, and that of the last two in theirs.
+pub(crate) const THIRD: u32 = 18;
+
+/// A leaf.
+pub(crate) trait Block: Copy + Send + Sync {
+    /// Most triangles.
+    const LANES: usize;
+    /// Is it a [`Loose`] one? Otherwise it is [`Shared`].
+    const LOOSE: bool;
+    /// What visiting a node costs, in tests of a block.
+    const NODE_COST: f32;
+
+    /// A block of the triangles given by their index and corners, if there is room for them.
+    fn of(triangles: impl Iterator<Item = (u32, [u32; 3])>, vertices: &[[f32; 3]]) -> Option<Self>;
+
+    /// Index of the triangle in a lane; `u32::MAX` in unused lanes.
+    fn triangle(&self, lane: usize) -> u32;
+
+    /// Where a corner of the triangle in a lane is.
+    fn corner(&self, lane: usize, k: usize) -> [f32; 3];
+
+    /// Moves a corner.
+    fn set_corner(&mut self, lane: usize, k: usize, p: [f32; 3]);
+
+    /// The lanes that are in use.
+    #[inline(always)]
+    fn lanes(&self) -> usize {
+        (0..Self::LANES).take_while(|&lane| self.triangle(lane) != u32::MAX).count()
+    }
+
+    /// A box around all triangles.
+    fn bounds(&self) -> Bounds {
+        let mut bounds = Bounds::EMPTY;
+        for (lane, k) in (0..self.lanes()).flat_map(|lane| [(lane, 0), (lane, 1), (lane, 2)]) {
+            let [x, y, z] = self.corner(lane, k);
+            let p = [x, y, z, 0.0];
+            bounds.grow(&Bounds { lo: p, hi: p });
+        }
+        bounds
+    }
+
+    /// Takes new places of the vertices. False where corners that were one point have parted.
+    fn refit(&mut self, vertices: &[[f32; 3]], triangles: &[[u32; 3]]) -> bool {
+        let all = |block: &Self, each: &mut dyn FnMut(usize, usize, [f32; 3])| {
+            for lane in 0..block.lanes() {
+                for (k, &vertex) in triangles[block.triangle(lane) as usize].iter().enumerate() {
+                    each(lane, k, vertices[vertex as usize]);
+                }
+            }
+        };
+        let mut moved = *self;
+        all(self, &mut |lane, k, p| moved.set_corner(lane, k, p));
+        let mut whole = true;
+        all(self, &mut |lane, k, p| whole &= moved.corner(lane, k) == p);
+        *self = moved;
+        whole
+    }
+}
+
+/// Up to four triangles with corners of their own; those in unused lanes are not numbers, which no test lets pass.
+#[derive(Clone, Copy, Debug)]
+#[repr(C, align(32))]
+pub(crate) struct Loose {
+    /// `corner[k][axis][lane]`
+    corner: [[[f32; LOOSE]; 3]; 3],
+    triangle: [u32; LOOSE],
+}
+
+/// Up to six triangles. Unused lanes have one point for all corners, which no test lets pass.
+#[derive(Clone, Copy, Debug)]
+#[repr(C, align(64))]
+pub(crate) struct Shared {
+    /// `place[axis][point]`
+    place: [[f32; POINTS]; 3],
+    triangle: [u32; SHARED],
+    /// Which points are corners, three bits each: the first corners of all lanes in the first word, the second ones in
+    /// the second, the third ones above them, those of four lanes in the first word and of two in the second.
+    pub(super) corner: [u32; 2],
+}
+
+impl Block for Loose {
+    const LANES: usize = LOOSE;
+    const LOOSE: bool = true;
+    const NODE_COST: f32 = 1.0;
+
+    fn of(triangles: impl Iterator<Item = (u32, [u32; 3])>, vertices: &[[f32; 3]]) -> Option<Loose> {
+        let mut block = Loose { corner: [[[f32::NAN; LOOSE]; 3]; 3], triangle: [u32::MAX; LOOSE] };
+        for (lane, (triangle, corners)) in triangles.enumerate() {
+            block.triangle[lane] = triangle;
+            for (k, &vertex) in corners.iter().enumerate() {
+                block.set_corner(lane, k, vertices[vertex as usize]);
+            }
+        }
+        Some(block)
+    }
+
+    #[inline(always)]
+    fn triangle(&self, lane: usize) -> u32 {
+        self.triangle[lane & (LOOSE - 1)]
+    }
+
+    #[inline(always)]
+    fn corner(&self, lane: usize, k: usize) -> [f32; 3] {
+        self.corner[k].map(|row| row[lane])
+    }
+
+    fn set_corner(&mut self, lane: usize, k: usize, p: [f32; 3]) {
+        for (row, value) in self.corner[k].iter_mut().zip(p) {
+            row[lane] = value;
+        }
+    }
+}
+
+impl Block for Shared {
+    const LANES: usize = SHARED;
+    const LOOSE: bool = false;
+    const NODE_COST: f32 = 2.0;
+
+    /// Corners that lie in one place are one point.
+    fn of(triangles: impl Iterator<Item = (u32, [u32; 3])>, vertices: &[[f32; 3]]) -> Option<Shared> {
+        let mut block = Shared { place: [[0.0; POINTS]; 3], triangle: [u32::MAX; SHARED], corner: [0; 2] };
+        let mut known = [u32::MAX; POINTS];
+        let mut points = 0;
+        for (lane, (triangle, corners)) in triangles.enumerate() {
+            block.triangle[lane] = triangle;
+            for (k, &vertex) in corners.iter().enumerate() {
+                let point = match known[..points].iter().position(|&other| other == vertex) {
+                    Some(point) => point,
+                    None => {
+                        let point = block.find(points, vertices[vertex as usize])?;
+                        if point == points {
+                            (known[point], points) = (vertex, points + 1);
+                        }
+                        point
+                    }
+                };
+                let (word, up) = Shared::bits(lane, k);
+                block.corner[word] |= (point as u32) << up;
+            }
+        }
+        Some(block)
+    }
+
+    #[inline(always)]
+    fn triangle(&self, lane: usize) -> u32 {
+        self.triangle[lane.min(SHARED - 1)]
+    }
+
+    #[inline(always)]
+    fn corner(&self, lane: usize, k: usize) -> [f32; 3] {
+        let point = self.point(lane, k);
+        [self.place[0][point], self.place[1][point], self.place[2][point]]
+    }
+
+    fn set_corner(&mut self, lane: usize, k: usize, p: [f32; 3]) {
+        self.put(self.point(lane, k), p);
+    }
+}
+
+impl Shared {
+    /// The point that lies in a place, a new one after `points` others where there is none, if there is room.
+    fn find(&mut self, points: usize, p: [f32; 3]) -> Option<usize> {
+        let same = |i: usize| (0..3).all(|axis| self.place[axis][i].to_bits() == p[axis].to_bits());
+        if let Some(point) = (0..points).find(|&i| same(i)) {
+            return Some(point);
+        }
+        if points == POINTS {
+            return None;
+        }
+        self.put(points, p);
+        Some(points)
+    }
+
+    fn put(&mut self, point: usize, p: [f32; 3]) {
+        for (row, value) in self.place.iter_mut().zip(p) {
+            row[point] = value;
+        }
+    }
+
+    /// Where a corner of a lane has its bits: the word, and how far up.
+    #[inline(always)]
+    fn bits(lane: usize, k: usize) -> (usize, u32) {
+        match (k, lane) {
+            (2, 4..) => (1, THIRD + 3 * (lane as u32 - 4)),
+            (2, _) => (0, THIRD + 3 * lane as u32),
+            _ => (k, 3 * lane as u32),
+        }
+    }
+
+    /// Which point is a corner of a lane.
+    #[inline(always)]
+    fn point(&self, lane: usize, k: usize) -> usize {
+        let (word, up) = Shared::bits(lane, k);
+        (self.corner[word] >> up) as usize & (POINTS - 1)
+    }
+}
+
+/// The leaves of a mesh's tree.
+#[derive(Debug)]
+pub(crate) enum Blocks {
+    /// Of triangles that hang together.
+    Shared(Vec<Shared>),
+    /// Of single ones.
+    Loose(Vec<Loose>),
+}
+
+/// Does something with the blocks, of whichever kind they are.
+macro_rules! with_blocks {
+    ($blocks:expr, $list:ident => $then:expr) => {
+        match $blocks {
+            $crate::mesh::block::Blocks::Shared($list) => $then,
+            $crate::mesh::block::Blocks::Loose($list) => $then,
+        }
+    };
+}
