@@ -10,6 +10,9 @@ const LEAST: f64 = 1e-6;
 /// Slab distances closer than this count as equal: the ray meets an edge.
 const EDGE: f64 = 1e-6;
 
+/// The number of no face.
+const NO_FACE: u32 = u32::MAX;
+
 /// An axis-aligned box; flat ones are welcome. Parts of hits are faces: 0 to 5 for -x, +x, -y, +y, -z, +z.
 #[derive(Clone, Copy)]
 pub(crate) struct Cuboid {
@@ -147,6 +150,22 @@ impl Cuboid {
         }
     }
 
+    /// Where the ray first meets a face, and which; [`NO_FACE`] where it meets none. Two numbers come back in registers,
+    /// a hit would have to be waited for.
+    #[inline(never)]
+    fn first(&self, ray: &Ray, range: (f64, f64)) -> (f64, u32) {
+        let (lo, hi) = beyond(range, LEAST);
+        match self.way(ray) {
+            // A flat box shows its far face.
+            Some(way) if way.entry > lo && way.entry < way.exit => match way.entry < hi {
+                true => (way.entry, way.entry_face(ray)),
+                false => (way.entry, NO_FACE),
+            },
+            Some(way) if way.exit > lo && way.exit < hi => (way.exit, way.exit_face(ray)),
+            _ => (f64::INFINITY, NO_FACE),
+        }
+    }
+
     /// Entry and exit, as far as they are in the range.
     #[inline]
     pub(crate) fn few(&self, ray: &Ray, range: (f64, f64), out: &mut Few) {
@@ -175,15 +194,8 @@ impl Surface for Cuboid {
 
     #[inline]
     fn closest(&self, ray: &Ray, range: (f64, f64)) -> Option<LocalHit> {
-        let (lo, hi) = beyond(range, LEAST);
-        let way = self.way(ray)?;
-        // A flat box shows its far face.
-        if way.entry > lo && way.entry < way.exit {
-            let hit = || LocalHit { part: way.entry_face(ray), ..LocalHit::at(way.entry) };
-            return (way.entry < hi).then(hit);
-        }
-        let hit = || LocalHit { part: way.exit_face(ray), ..LocalHit::at(way.exit) };
-        (way.exit > lo && way.exit < hi).then(hit)
+        let (t, part) = self.first(ray, range);
+        (part != NO_FACE).then(|| LocalHit { part, ..LocalHit::at(t) })
     }
 
     fn inside(&self, p: Vec3) -> bool {

@@ -76,18 +76,18 @@ impl Tracer<'_> {
     ) -> Vec3A {
         let p = point.surface.p;
         let path = source.path(p);
-        let cosine = lit.n.dot(path.dir);
+        let cosine = lit.n.dot(path.ray.dir);
         let Some(back) = facing(point, lit, cosine) else { return Vec3A::ZERO };
         let collects = point.material.photons.collect.unwrap_or(true);
         let light = self.arriving_once(point, i, |tracer| {
-            let bare = source.arriving(p, &path, source.position);
-            tracer.after_shadows(source, p, &path, bare, point.beam.interiors, collects)
+            let bare = source.arriving(&path, source.position);
+            tracer.after_shadows(source, &path, bare, point.beam.interiors, collects)
         });
         if light.abs().max_element() <= EPS as f32 {
             return Vec3A::ZERO;
         }
-        let sum = self.answer(lit, light, (&path.dir, cosine), back, !source.shadowless, f32::powf);
-        self.iridescent(point, lit, &path.dir, sum).into()
+        let sum = self.answer(lit, light, (&path.ray.dir, cosine), back, !source.shadowless, f32::powf);
+        self.iridescent(point, lit, &path.ray.dir, sum).into()
     }
 
     /// `area_illumination`: every point of the light lights by its own direction, all share one shadow.
@@ -104,24 +104,25 @@ impl Tracer<'_> {
         let centre = source.path(p);
         let collects = point.material.photons.collect.unwrap_or(true);
         let shadowed = self.arriving_once(point, i, |tracer| {
-            tracer.after_shadows(source, p, &centre, source.color, point.beam.interiors, collects)
+            tracer.after_shadows(source, &centre, source.color, point.beam.interiors, collects)
         });
         if shadowed.abs().max_element() <= EPS as f32 {
             return Rgb::ZERO;
         }
         let each = shadowed / (grid.size1 * grid.size2) as f32;
-        let axes = grid.axes(centre.dir);
+        let axes = grid.axes(centre.ray.dir);
         let random = self.streams.numbers().lights;
         grid.pass_over(&mut self.streams.numbers().lights);
         let mut sum = Rgb::ZERO;
         for cell in 0..grid.size1 * grid.size2 {
             let from = source.position + grid.offset(axes, cell, &random);
             let path = source.path_to(p, from);
-            let cosine = lit.n.dot(path.dir);
+            let cosine = lit.n.dot(path.ray.dir);
             let Some(back) = facing(point, lit, cosine) else { continue };
-            let light = each * source.attenuation(p, &path, from) as f32;
-            let answer = self.answer(lit, light, (&path.dir, cosine), back, !source.shadowless, f32::powf);
-            sum += self.iridescent(point, lit, &path.dir, answer);
+            let light = each * source.attenuation(&path, from) as f32;
+            let answer =
+                self.answer(lit, light, (&path.ray.dir, cosine), back, !source.shadowless, f32::powf);
+            sum += self.iridescent(point, lit, &path.ray.dir, answer);
         }
         sum
     }

@@ -75,24 +75,24 @@ fn power(base: f64, exponent: f64) -> f64 {
 }
 
 impl LightSource {
-    /// The light's colour as it arrives at `p`, before shadows, from the light's point `from`.
-    pub fn arriving(&self, p: Vec3, path: &Path, from: Vec3) -> Rgb {
-        self.color * self.attenuation(p, path, from) as f32
+    /// The light's colour as it arrives at the start of a way to it, before shadows, from the light's point `from`.
+    pub fn arriving(&self, path: &Path, from: Vec3) -> Rgb {
+        self.color * self.attenuation(path, from) as f32
     }
 
-    /// The factor by which the light thins out on the way to `p` from its point `from`.
-    pub fn attenuation(&self, p: Vec3, path: &Path, from: Vec3) -> f64 {
+    /// The factor by which the light thins out on a way from its point `from`.
+    pub fn attenuation(&self, path: &Path, from: Vec3) -> f64 {
         let narrowed = match self.cone {
             Cone::None => 1.0,
             Cone::Spot { cos_radius, cos_falloff, tightness } => {
                 let cosine = match self.parallel {
                     true => 1f64.copysign(path.distance),
-                    false => -path.dir.dot(self.axis),
+                    false => -path.ray.dir.dot(self.axis),
                 };
                 spot(cosine, cos_radius, cos_falloff, tightness)
             }
             Cone::Cylinder { radius, falloff, tightness } => {
-                let offset = p - from;
+                let offset = path.ray.origin - from;
                 let along = offset.dot(self.axis);
                 let away = (offset - self.axis * along).length();
                 if along <= 0.0 { 0.0 } else { tube(away, radius, falloff, tightness) }
@@ -158,7 +158,7 @@ mod tests {
 
     fn at(light: &scene::Light, p: Vec3) -> f32 {
         let light = LightSource::build(0, light).unwrap();
-        light.arriving(p, &light.path(p), light.position).x
+        light.arriving(&light.path(p), light.position).x
     }
 
     #[test]
@@ -205,7 +205,7 @@ mod tests {
         sun.parallel = true;
         let sun = LightSource::build(0, &sun).unwrap();
         let path = sun.path(Vec3::new(7.0, 12.0, 3.0));
-        assert!((path.dir - Vec3::Y).length() < 1e-12);
+        assert!((path.ray.dir - Vec3::Y).length() < 1e-12);
         assert!((path.distance + 2.0).abs() < 1e-12);
     }
 }

@@ -6,7 +6,7 @@ mod shadow;
 
 use raggio_geometry::{BuildError, Geometry, LightGroupId, Material, Standing};
 use raggio_image::Rgb;
-use raggio_math::Vec3;
+use raggio_math::{Ray, Vec3};
 use raggio_scene as scene;
 
 use buffer::LightBuffer;
@@ -54,8 +54,8 @@ pub struct LightSource {
 /// The way from a point to a light.
 #[derive(Clone, Copy, Debug)]
 pub struct Path {
-    /// Unit vector towards the light.
-    pub dir: Vec3,
+    /// From the point towards the light; put together once, shadow rays go along it.
+    pub ray: Ray,
     /// Distance along it; negative behind the plane of a parallel light.
     pub distance: f64,
 }
@@ -93,7 +93,7 @@ impl LightSource {
     #[inline]
     pub fn before(&self, path: &Path, geometry: &Geometry) -> &Standing {
         match &self.buffer {
-            Some(buffer) if !geometry.is_small() => buffer.towards(-path.dir, path.distance, geometry),
+            Some(buffer) if !geometry.is_small() => buffer.towards(-path.ray.dir, path.distance, geometry),
             _ => &Standing::Anything,
         }
     }
@@ -110,10 +110,11 @@ impl LightSource {
         let offset = point - p;
         if self.parallel {
             let dir = (point - self.point_at).try_normalize().unwrap_or(-self.axis);
-            return Path { dir, distance: offset.dot(dir) };
+            return Path { ray: Ray::new(p, dir), distance: offset.dot(dir) };
         }
         let distance = offset.length();
-        Path { dir: if distance > 0.0 { offset / distance } else { -self.axis }, distance }
+        let dir = if distance > 0.0 { offset / distance } else { -self.axis };
+        Path { ray: Ray::new(p, dir), distance }
     }
 }
 

@@ -35,12 +35,11 @@ struct Crossings<'a> {
 }
 
 impl Tracer<'_> {
-    /// What is left of `light` at `p` after everything between it and the source. Area lights give their mean. Where
+    /// What is left of `light` at the start of the way to its source after everything on that way. Area lights give their mean. Where
     /// photons count (`collects`), light through their targets is left to them.
     pub fn after_shadows(
         &mut self,
         source: &LightSource,
-        p: Vec3,
         path: &Path,
         light: Rgb,
         interiors: &[InteriorId],
@@ -54,10 +53,10 @@ impl Tracer<'_> {
         }
         let Some(grid) = source.area.as_ref().filter(|_| self.quality.area_lights()) else {
             let standing = source.before(path, &self.world.geometry);
-            return self.walk_to_light(source, p, path, light, interiors, collects, standing);
+            return self.walk_to_light(source, path, light, interiors, collects, standing);
         };
         let mut scratch = self.area_scratch.take().unwrap_or_default();
-        let mean = self.after_soft_shadows(source, grid, p, path, light, interiors, collects, &mut scratch);
+        let mean = self.after_soft_shadows(source, grid, path, light, interiors, collects, &mut scratch);
         self.area_scratch = Some(scratch);
         mean
     }
@@ -68,14 +67,14 @@ impl Tracer<'_> {
         &mut self,
         source: &LightSource,
         grid: &AreaGrid,
-        p: Vec3,
         path: &Path,
         light: Rgb,
         interiors: &[InteriorId],
         collects: bool,
         scratch: &mut AreaScratch,
     ) -> Rgb {
-        self.before_area(source, grid, p, path, &mut scratch.standing);
+        let p = path.ray.origin;
+        self.before_area(source, grid, path, &mut scratch.standing);
         let clear = self.is_clear(source);
         let random = self.streams.numbers().lights;
         grid.pass_over(&mut self.streams.numbers().lights);
@@ -85,27 +84,20 @@ impl Tracer<'_> {
         let world = self.world;
         let stops = |leaf| world.stops_at(leaf);
         let screened = clear && world.geometry.screen(&scratch.standing, p, stops, &mut scratch.screen);
-        let view = View { light: source, grid, p, to_light: path.dir, screened, open: light, random };
+        let view = View { light: source, grid, p, to_light: path.ray.dir, screened, open: light, random };
         view.average(scratch, |from, standing| {
-            self.walk_to_light(source, p, &source.path_to(p, from), light, interiors, collects, standing)
+            self.walk_to_light(source, &source.path_to(p, from), light, interiors, collects, standing)
         })
     }
 
     /// Finds what may stand between a point and an area light.
-    fn before_area(
-        &self,
-        source: &LightSource,
-        grid: &AreaGrid,
-        p: Vec3,
-        path: &Path,
-        standing: &mut Standing,
-    ) {
+    fn before_area(&self, source: &LightSource, grid: &AreaGrid, path: &Path, standing: &mut Standing) {
         if source.parallel || source.projected_through.is_some() || grid.open_samples < 4 {
             *standing = Standing::Anything;
             return;
         }
-        let corners = grid.corners(grid.axes(path.dir)).map(|offset| source.position + offset);
-        match Shaft::new(p, corners, 0.999 * SHADOW_TOLERANCE) {
+        let corners = grid.corners(grid.axes(path.ray.dir)).map(|offset| source.position + offset);
+        match Shaft::new(path.ray.origin, corners, 0.999 * SHADOW_TOLERANCE) {
             Some(shaft) => self.world.geometry.find_standing(&shaft, RayClass::Shadow, standing),
             None => *standing = Standing::Anything,
         }
@@ -121,7 +113,6 @@ impl Tracer<'_> {
     fn walk_to_light(
         &mut self,
         source: &LightSource,
-        p: Vec3,
         path: &Path,
         light: Rgb,
         interiors: &[InteriorId],
@@ -129,10 +120,10 @@ impl Tracer<'_> {
         standing: &Standing,
     ) -> Rgb {
         let world = self.world;
-        let ray = Ray::new(p, path.dir);
+        let ray = &path.ray;
         let mut distance = path.distance;
         if let Some(window) = &source.projected_through {
-            match window.closest(&ray, (0.0, distance), RayClass::Any) {
+            match window.closest(ray, (0.0, distance), RayClass::Any) {
                 None => return Rgb::ZERO,
                 Some(_) if source.shadowless => return light,
                 Some(hit) => distance = hit.t,
@@ -140,12 +131,12 @@ impl Tracer<'_> {
         }
         let replaced = collects && self.photons.as_ref().is_some_and(|photons| photons.on_surfaces());
         let replaced = replaced.then_some(&source.photons);
-        let mut crossings = Crossings { world, ray: &ray, replaced, list: SmallVec::new() };
+        let mut crossings = Crossings { world, ray, replaced, list: SmallVec::new() };
         if distance > 2.0 * SHADOW_TOLERANCE {
             let range = (SHADOW_TOLERANCE, distance - SHADOW_TOLERANCE);
             let guess = &mut self.blockers[source.index];
             let geometry = &world.geometry;
-            if geometry.is_stopped(&ray, range, SHADOW_TOLERANCE, standing, guess, &mut crossings) {
+            if geometry.is_stopped(ray, range, SHADOW_TOLERANCE, standing, guess, &mut crossings) {
                 return Rgb::ZERO;
             }
         }
@@ -155,7 +146,7 @@ impl Tracer<'_> {
             return light;
         }
         let list = crossings.sorted();
-        self.through(source, &ray, distance, light, interiors, list, (hazy, misty))
+        self.through(source, ray, distance, light, interiors, list, (hazy, misty))
     }
 
     /// What is left of light after the surfaces on its way and what lies between them: media where it is `hazy`, and

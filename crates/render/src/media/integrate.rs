@@ -268,11 +268,11 @@ impl Tracer<'_> {
             }
             let source = &self.world.lights[light as usize];
             let path = source.path(p);
-            let bare = source.arriving(p, &path, source.position);
+            let bare = source.arriving(&path, source.position);
             let collects = along.media.iter().any(|m| m.collect);
-            let light = self.after_shadows(source, p, &path, bare, along.interiors, collects);
+            let light = self.after_shadows(source, &path, bare, along.interiors, collects);
             if light != Rgb::ZERO {
-                glow += scattered * light * mean_phase(&along.media, path.dir.dot(along.ray.dir));
+                glow += scattered * light * mean_phase(&along.media, path.ray.dir.dot(along.ray.dir));
             }
         }
         Sample { glow, dim }

@@ -34,9 +34,9 @@ impl Tracer<'_> {
     /// What arrives of a light at a place on the surface, with the direction to it.
     fn light_at(&mut self, site: &Site<'_>, light: &LightSource, p: Vec3) -> (Rgb, Vec3) {
         let path = light.path(p);
-        let bare = light.arriving(p, &path, light.position);
+        let bare = light.arriving(&path, light.position);
         let collects = site.point.material.photons.collect.unwrap_or(true);
-        (self.after_shadows(light, p, &path, bare, &[], collects), path.dir)
+        (self.after_shadows(light, &path, bare, &[], collects), path.ray.dir)
     }
 
     /// Light that was scattered so often that its direction is lost.
@@ -117,7 +117,7 @@ impl Tracer<'_> {
         let mut sum = 0.0;
         for &i in site.point.lights {
             let source = &self.world.lights[i as usize];
-            let Some(entry) = self.entry(site, &Ray::new(b, source.path(b).dir), f64::INFINITY) else {
+            let Some(entry) = self.entry(site, &source.path(b).ray, f64::INFINITY) else {
                 continue;
             };
             if !entry.same {
