@@ -136,10 +136,10 @@ impl Sample {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
 
-    fn sample(p: Vec3) -> Sample {
+    pub fn sample(p: Vec3) -> Sample {
         Sample {
             p,
             n: Vec3::Y,

@@ -256,21 +256,8 @@ fn octant(index: [i64; 3]) -> usize {
 
 #[cfg(test)]
 mod tests {
-    use raggio_image::Rgb;
-
+    use super::super::cache::tests::sample;
     use super::*;
-
-    fn sample(p: Vec3) -> Sample {
-        Sample {
-            p,
-            n: Vec3::Y,
-            light: Rgb::ONE,
-            mean_distance: 2.0,
-            nearest: 2.0,
-            toward: Vec3::Y,
-            quality: 1.0,
-        }
-    }
 
     #[test]
     fn every_sample_is_found_within_its_radius() {
