@@ -211,7 +211,7 @@ impl Walk {
         let kept = !object.split_union && outer.interior.is_none();
         let opened = !fenced && !cutaway && !kept && around == op && op != Op::Merge;
         let mut inner = context.clone();
-        let reserved = (!opened).then(|| self.reserve());
+        let reserved = cutaway.then(|| self.reserve());
         // A texture on the group itself, or around it, is inherited as ever.
         if cutaway && !inner.form_only && inner.texture.is_none() {
             let difference = matches!(csg, Csg::Difference { .. });
@@ -231,7 +231,9 @@ impl Walk {
                 self.turn_ranks(first);
             }
         }
-        let Some(reserved) = reserved else { return Ok(()) };
+        if opened {
+            return Ok(());
+        }
         own.iter_mut().for_each(|m| {
             m.member.skip &= if op == Op::Intersection { 0 } else { !OUTERMOST_ONLY };
         });
@@ -241,7 +243,8 @@ impl Walk {
             members.append(&mut own);
             return Ok(());
         }
-        let built = self.group(op, own, skip, reserved, object, outer)?;
+        let at = reserved.unwrap_or_else(|| self.reserve());
+        let built = self.group(op, own, skip, at, object, outer)?;
         members.push(built);
         Ok(())
     }

@@ -30,6 +30,17 @@ macro_rules! leaf_tests {
             [_mm256_srlv_epi32(a, up), _mm256_srlv_epi32(b, up), _mm256_srlv_epi32(c, third)]
         }
 
+        /// Of rows of points those that are one corner of each lane.
+        #[inline]
+        #[target_feature(enable = $features)]
+        fn picked(rows: [__m256; 3], points: __m256i) -> [__m256; 3] {
+            [
+                _mm256_permutevar8x32_ps(rows[0], points),
+                _mm256_permutevar8x32_ps(rows[1], points),
+                _mm256_permutevar8x32_ps(rows[2], points),
+            ]
+        }
+
         /// A ray in single precision, its axes turned so that the last is its longest.
         struct Single {
             origin: [__m256; 3],
@@ -84,16 +95,9 @@ macro_rules! leaf_tests {
                 let z = at(2);
                 let x = _mm256_fnmadd_ps(self.shear[0], z, at(0));
                 let y = _mm256_fnmadd_ps(self.shear[1], z, at(1));
-                let of = |points: __m256i| {
-                    [
-                        _mm256_permutevar8x32_ps(x, points),
-                        _mm256_permutevar8x32_ps(y, points),
-                        _mm256_permutevar8x32_ps(z, points),
-                    ]
-                };
                 // SAFETY: the block is one of the tree's.
                 let [a, b, c] = corners(unsafe { &*block });
-                (of(a), of(b), of(c))
+                (picked([x, y, z], a), picked([x, y, z], b), picked([x, y, z], c))
             }
 
             /// The corners as the ray sees them, of triangles that have their own, in the lower four lanes. All corners
@@ -213,17 +217,10 @@ macro_rules! leaf_tests {
                 }
                 // SAFETY: three rows of 32 bytes, in a structure aligned to 64.
                 let row = |k: usize| unsafe { _mm256_load_ps(base.add(self.axis[k]).cast()) };
-                let (x, y, z) = (row(0), row(1), row(2));
+                let rows = [row(0), row(1), row(2)];
                 // SAFETY: what is not loose is shared.
                 let [a, b, c] = corners(unsafe { &*base.cast() });
-                let of = |points: __m256i| {
-                    [
-                        _mm256_permutevar8x32_ps(x, points),
-                        _mm256_permutevar8x32_ps(y, points),
-                        _mm256_permutevar8x32_ps(z, points),
-                    ]
-                };
-                let (a, b, c) = (of(a), of(b), of(c));
+                let (a, b, c) = (picked(rows, a), picked(rows, b), picked(rows, c));
                 let low = |p: [__m256; 3]| {
                     [_mm256_castps256_ps128(p[0]), _mm256_castps256_ps128(p[1]), _mm256_castps256_ps128(p[2])]
                 };

@@ -1,8 +1,9 @@
 //! The triangle mesh room: a hierarchy over triangles in single precision, as fast as the machine allows.
 //!
-//! Nodes have eight children with full-precision boxes, leaves hold one block of a few triangles. The triangle test is watertight (Woop, Benthin, Wald: "Watertight Ray/Triangle Intersection", JCGT 2013): edge functions of a
-//! shared edge are exact negatives of each other, so no ray slips through between two triangles. The box test subtracts
-//! before it scales and widens the far side by its own rounding error (Ize: "Robust BVH Ray Traversal", JCGT 2013).
+//! Nodes have eight children with full-precision boxes, leaves hold one block of a few triangles. The triangle test is
+//! watertight (Woop, Benthin, Wald: "Watertight Ray/Triangle Intersection", JCGT 2013): edge functions of a shared edge
+//! are exact negatives of each other, so no ray slips through between two triangles. The box test subtracts before it
+//! scales and widens the far side by its own rounding error (Ize: "Robust BVH Ray Traversal", JCGT 2013).
 //!
 //! Rays come in either precision. Those in double are tested against the triangles in double, four at a time: such hits
 //! need no refinement, and only the boxes are in single precision, with the ray rounded outwards.
