@@ -76,13 +76,19 @@ impl Convex {
         Convex { planes: self.planes.iter().map(moved).collect(), ..Convex::default() }
     }
 
-    /// A box around what the planes leave of a box.
+    /// A box around what the planes leave of a box without bounds; a box that has bounds stays as it is.
     pub(crate) fn bounds_within(&self, within: &Aabb) -> Aabb {
-        if self.planes.is_empty()
-            || self.planes.len() > MOST_PLANES
-            || within.is_empty()
-            || within.is_finite()
-        {
+        if within.is_finite() { *within } else { self.cut(within) }
+    }
+
+    /// A box around what the planes leave of a box, where some of them are at no right angle to an axis.
+    pub(crate) fn slanted_bounds_within(&self, within: &Aabb) -> Aabb {
+        let straight = |plane: &Plane| plane.side().0.abs().max_element() >= 1.0 - EPS;
+        if self.planes.iter().all(straight) { *within } else { self.cut(within) }
+    }
+
+    fn cut(&self, within: &Aabb) -> Aabb {
+        if self.planes.is_empty() || self.planes.len() > MOST_PLANES || within.is_empty() {
             return *within;
         }
         let far = Vec3::splat(FAR);

@@ -6,8 +6,8 @@ use raggio_bvh::{BoxRow, Region};
 use raggio_math::{Aabb, Affine, Vec3};
 use smallvec::SmallVec;
 
-use crate::leaf::{Leaves, Prim};
-use crate::tree::{Node, Tree};
+use crate::leaf::{Leaf, Leaves, Prim};
+use crate::tree::{Node, NodeRef, Op, Tree};
 use crate::{Geometry, RayClass};
 
 /// The corners of a shaft: near the point, then far.
@@ -40,6 +40,9 @@ pub struct List {
 
 /// Up to so many leaves are asked without their boxes.
 const BARE: usize = 2;
+
+/// Groups of more members are not looked into.
+const MOST_MEMBERS: usize = 32;
 
 impl Shaft {
     /// A box instead of a shaft.
@@ -156,9 +159,25 @@ impl Geometry {
 
 impl Tree {
     /// Is it plain that the surface of a node does not reach into a shaft?
-    fn misses(&self, node: crate::tree::NodeRef, shaft: &Shaft) -> bool {
+    fn misses(&self, node: NodeRef, shaft: &Shaft) -> bool {
+        let group = match node.node() {
+            Node::Leaf(leaf) => return self.leaves.misses(leaf, &shaft.corners),
+            Node::Group(group) => &self.groups[group as usize],
+        };
+        if group.members.len() > MOST_MEMBERS {
+            return false;
+        }
+        let members = || group.members.iter().map(|member| member.node);
+        let lacks = |node| self.lacks(node, shaft);
+        group.clips.iter().copied().any(lacks)
+            || (group.op == Op::Intersection && members().any(lacks))
+            || members().all(|member| self.misses(member, shaft))
+    }
+
+    /// Is it plain that no point of a shaft is inside a node?
+    fn lacks(&self, node: NodeRef, shaft: &Shaft) -> bool {
         match node.node() {
-            Node::Leaf(leaf) => self.leaves.misses(leaf, &shaft.corners),
+            Node::Leaf(leaf) => self.leaves.lacks(leaf, &shaft.corners),
             Node::Group(_) => false,
         }
     }
@@ -175,6 +194,23 @@ impl Leaves {
             Prim::World(s) => self.shapes[*s as usize].misses(corners),
             Prim::Placed { shape, place } => {
                 self.shapes[*shape as usize].misses(&moved(&self.places[*place as usize]))
+            }
+        }
+    }
+
+    /// Is it plain that no point of a hull is inside a leaf, its inversion counted?
+    fn lacks(&self, leaf: u32, corners: &Corners) -> bool {
+        let Leaf { prim, inverted, .. } = &self.leaves[leaf as usize];
+        let apart = |shape: u32, corners: &Corners| !inverted && self.shapes[shape as usize].lacks(corners);
+        match prim {
+            // All of the hull is on one side of the surface.
+            Prim::Sphere { .. } | Prim::Plane(_) | Prim::Box(_) | Prim::PlacedBox { .. } => {
+                !self.inside(leaf, corners[0]) && self.misses(leaf, corners)
+            }
+            Prim::World(shape) => apart(*shape, corners),
+            Prim::Placed { shape, place } => {
+                let object_from_world = &self.places[*place as usize];
+                apart(*shape, &corners.map(|p| object_from_world.transform_point3(p)))
             }
         }
     }

@@ -12,6 +12,8 @@ use crate::shape_pool::uniform_scale;
 use crate::texturing::PartUses;
 use crate::{LocalHit, Surface};
 
+mod reach;
+
 /// Blobs report no hit nearer than this, in the world.
 const LEAST: f64 = 1e-2;
 /// Field values this little below the threshold count as inside.
@@ -22,6 +24,14 @@ pub(crate) struct Blob {
     threshold: f64,
     elements: Vec<Element>,
     parts: Parts,
+    /// Around the surface.
+    bounds: Aabb,
+}
+
+/// The box around all that the components of a blob act in.
+pub(crate) fn acting(blob: &raggio_scene::Blob) -> Aabb {
+    let boxes = blob.components.iter().map(|c| Element::new(c, &Affine::IDENTITY).bounds());
+    boxes.filter(|b| !b.is_empty()).fold(Aabb::EMPTY, |all, b| all.union(&b))
 }
 
 /// A component.
@@ -214,7 +224,11 @@ impl Blob {
     pub(crate) fn new(blob: &raggio_scene::Blob, world_from_blob: &Affine) -> Self {
         let elements: Vec<_> = blob.components.iter().map(|c| Element::new(c, world_from_blob)).collect();
         let boxes: Vec<_> = elements.iter().map(Element::bounds).collect();
-        Blob { threshold: blob.threshold, elements, parts: Parts::new(&boxes) }
+        let parts = Parts::new(&boxes);
+        let acting = parts.bounds();
+        let mut made = Blob { threshold: blob.threshold, elements, parts, bounds: acting };
+        made.bounds = made.hull(acting);
+        made
     }
 
     fn search(&self, ray: &Ray, to: &mut impl Collect) {
@@ -294,11 +308,12 @@ impl Surface for Blob {
     searched_from!(LEAST);
 
     fn bounds(&self) -> Aabb {
-        self.parts.bounds()
+        self.bounds
     }
 
     fn reach(&self, along: Vec3) -> Option<f64> {
-        Some(self.elements.iter().map(|e| e.reach(along)).fold(f64::NEG_INFINITY, f64::max))
+        let acting = self.elements.iter().map(|e| e.reach(along)).fold(f64::NEG_INFINITY, f64::max);
+        Some(acting.min(self.reach_within(&self.bounds, along)))
     }
 
     fn inside(&self, p: Vec3) -> bool {

@@ -48,6 +48,7 @@ use crate::{BuildError, LocalHit, Surface};
 pub(crate) use box_::{AxisRay, Cuboid};
 pub(crate) use cone::Cone;
 pub(crate) use disc::Disc;
+pub(crate) use blob::acting;
 pub(crate) use julia::radius as julia_radius;
 pub(crate) use mesh::MeshShape;
 pub(crate) use plane::Plane;
@@ -395,6 +396,11 @@ impl ShapeKind {
             ShapeKind::Cone(s) => s.misses(hull) || apart(&s.bounds(), hull),
             other => apart(&other.bounds(), hull),
         }
+    }
+
+    /// Is it plain that neither surface nor inside reach into the hull of some points?
+    pub(crate) fn lacks(&self, hull: &[Vec3; 8]) -> bool {
+        self.is_solid() && apart(&self.bounds().union(&self.inside_bounds()), hull)
     }
 
     /// The textures at a point of a surface whose parts have textures of their own: numbers of the scene's data and

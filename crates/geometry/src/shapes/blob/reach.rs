@@ -1,0 +1,119 @@
+//! How far a blob's surface reaches: well within the balls in which its components act.
+//!
+//! Cells of space are cut in halves, that which reaches farthest first, and dropped where the field cannot come up to
+//! the threshold.
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
+
+use raggio_math::{Aabb, Vec3};
+
+use super::{Blob, Element, Form, TOLERANCE};
+
+/// So many cells are looked at for one answer.
+const LOOKS: usize = 256;
+/// Cells are cut no smaller than this share of all.
+const FINEST: f64 = 1.0 / 128.0;
+/// Blobs of a lower threshold reach as far as their components act.
+const LEAST_THRESHOLD: f64 = 1e-3;
+
+/// A part of space in which the field may come up to the threshold.
+struct Cell {
+    middle: Vec3,
+    half: Vec3,
+    /// How far it reaches along the vector that is asked for.
+    reach: f64,
+    /// Components that act in it.
+    elements: Vec<u32>,
+}
+
+impl PartialEq for Cell {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+
+impl Eq for Cell {}
+
+impl PartialOrd for Cell {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Cell {
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.reach.total_cmp(&other.reach)
+    }
+}
+
+impl Element {
+    /// What it adds at most to the field in a cell; `None` if it does not act there.
+    fn most(&self, middle: Vec3, half: Vec3) -> Option<f64> {
+        let (away, half, length, per_radius2) = match &self.form {
+            Form::Ball { centre, per_radius2 } => (middle - *centre, half, 0.0, *per_radius2),
+            Form::Placed { unit_from_blob, length } => {
+                let m = &unit_from_blob.matrix3;
+                let half = m.x_axis.abs() * half.x + m.y_axis.abs() * half.y + m.z_axis.abs() * half.z;
+                (unit_from_blob.transform_point3(middle), half, *length, 1.0)
+            }
+        };
+        let beside = |w: Vec3| w.x * w.x + w.y * w.y;
+        let near = (away.abs() - half).max(Vec3::ZERO);
+        let far = away.abs() + half;
+        let near_z = (away.z - half.z - length).max(-(away.z + half.z)).max(0.0);
+        let far_z = (away.z + half.z - length).max(half.z - away.z).max(0.0);
+        let u = 1.0 - per_radius2 * (beside(near) + near_z * near_z);
+        let least = (1.0 - per_radius2 * (beside(far) + far_z * far_z)).max(0.0);
+        (u > 0.0).then(|| self.strength * if self.strength > 0.0 { u * u } else { least * least })
+    }
+}
+
+impl Blob {
+    /// A box around the surface; `acting` is that around what its components act in.
+    pub(super) fn hull(&self, acting: Aabb) -> Aabb {
+        if acting.is_empty() {
+            return acting;
+        }
+        let reach = |sign: f64| Vec3::AXES.map(|axis| sign * self.reach_within(&acting, axis * sign));
+        acting.intersection(&Aabb { min: reach(-1.0).into(), max: reach(1.0).into() })
+    }
+
+    /// How far the surface, which lies in a box, reaches at most along a vector.
+    pub(super) fn reach_within(&self, b: &Aabb, along: Vec3) -> f64 {
+        if self.threshold.is_nan() || self.threshold < LEAST_THRESHOLD || !b.is_finite() {
+            return f64::INFINITY;
+        }
+        let whole = b.size() * 0.5;
+        let all: Vec<u32> = (0..self.elements.len() as u32).collect();
+        let mut cells = BinaryHeap::from_iter(self.cell(b.centre(), whole, along, &all));
+        let mut looks = 0;
+        while let Some(cell) = cells.peek() {
+            let share = cell.half / whole.max(Vec3::splat(f64::MIN_POSITIVE));
+            let axis = (0..3).fold(0, |most, k| if share[k] > share[most] { k } else { most });
+            if looks >= LOOKS || share[axis] < FINEST {
+                return cell.reach;
+            }
+            looks += 2;
+            if let Some(Cell { middle, mut half, elements, .. }) = cells.pop() {
+                half[axis] *= 0.5;
+                let step = Vec3::AXES[axis] * half[axis];
+                cells.extend(self.cell(middle - step, half, along, &elements));
+                cells.extend(self.cell(middle + step, half, along, &elements));
+            }
+        }
+        f64::NEG_INFINITY
+    }
+
+    /// A cell in which of some components only these act; `None` where the field is too weak.
+    fn cell(&self, middle: Vec3, half: Vec3, along: Vec3, elements: &[u32]) -> Option<Cell> {
+        let mut sum = 0.0;
+        let acts = |&i: &u32| {
+            let most = self.elements[i as usize].most(middle, half);
+            sum += most.unwrap_or_default();
+            most.is_some()
+        };
+        let elements: Vec<u32> = elements.iter().copied().filter(acts).collect();
+        let reach = middle.dot(along) + half.dot(along.abs());
+        (sum > self.threshold - 2.0 * TOLERANCE).then_some(Cell { middle, half, reach, elements })
+    }
+}
