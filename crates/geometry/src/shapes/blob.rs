@@ -203,6 +203,14 @@ impl Element {
 }
 
 impl Span {
+    /// What it comes to at most within a range.
+    #[inline]
+    fn most(&self, range: (f64, f64)) -> f64 {
+        let nearest = self.middle.max(self.from.max(range.0)).min(self.to.min(range.1)) - self.middle;
+        let u = self.peak - self.bend * nearest * nearest;
+        self.strength * u * u
+    }
+
     /// Adds `strength * u^2` on `a..=b` to Bernstein coefficients of degree 4.
     #[inline]
     fn add_to(&self, a: f64, b: f64, sum: &mut [f64; 5]) {
@@ -233,14 +241,35 @@ impl Blob {
 
     fn search(&self, ray: &Ray, to: &mut impl Collect) {
         let mut spans = Spans::new();
-        let range = to.range();
-        let whole = (f64::NEG_INFINITY, f64::INFINITY);
-        self.parts.visit_ray(ray, range, |i| {
-            self.elements[i].add_spans(ray, whole, range, &mut spans);
-            range.1
-        });
+        if self.gather(ray, to.range(), &mut spans) < self.surely_less() {
+            return;
+        }
         spans.sort_unstable_by(|a, b| a.from.total_cmp(&b.from));
         self.sweep(&spans, to);
+    }
+
+    /// Is it plain that the field is too weak all along a range of the ray?
+    pub(crate) fn plainly_misses(&self, ray: &Ray, range: (f64, f64)) -> bool {
+        self.gather(ray, range, &mut Spans::new()) < self.surely_less()
+    }
+
+    /// Nowhere is a point inside, or on the surface, where the field is less than this.
+    fn surely_less(&self) -> f64 {
+        self.threshold - 2.0 * TOLERANCE
+    }
+
+    /// Puts the spans of a ray that reach into a range into a list; answers what the field comes to at most there.
+    #[inline]
+    fn gather(&self, ray: &Ray, range: (f64, f64), spans: &mut Spans) -> f64 {
+        let mut sum = 0.0;
+        let whole = (f64::NEG_INFINITY, f64::INFINITY);
+        self.parts.visit_ray(ray, range, |i| {
+            let first = spans.len();
+            self.elements[i].add_spans(ray, whole, range, spans);
+            sum += spans[first..].iter().fold(0.0, |most: f64, span| most.max(span.most(range)));
+            range.1
+        });
+        sum
     }
 
     /// Walks from one end of a span to the next, nearest first.

@@ -376,6 +376,21 @@ impl ShapeKind {
         )
     }
 
+    /// Does it know of [`ShapeKind::plainly_misses`]?
+    pub(crate) fn tells_misses(&self) -> bool {
+        matches!(self, ShapeKind::Blob(_))
+    }
+
+    /// Is it plain that a ray is nowhere inside, nor meets the surface, within a range? Asked only where that is much
+    /// quicker than a search.
+    #[inline]
+    pub(crate) fn plainly_misses(&self, ray: &Ray, range: (f64, f64)) -> bool {
+        match self {
+            ShapeKind::Blob(blob) => blob.plainly_misses(ray, range),
+            _ => false,
+        }
+    }
+
     /// Roughly what questions cost, for their order: 0 for a plane, more for what takes iterations.
     pub(crate) fn cost(&self) -> u32 {
         match self {

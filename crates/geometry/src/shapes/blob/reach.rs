@@ -7,7 +7,7 @@ use std::collections::BinaryHeap;
 
 use raggio_math::{Aabb, Vec3};
 
-use super::{Blob, Element, Form, TOLERANCE};
+use super::{Blob, Element, Form};
 
 /// So many cells are looked at for one answer.
 const LOOKS: usize = 256;
@@ -114,6 +114,6 @@ impl Blob {
         };
         let elements: Vec<u32> = elements.iter().copied().filter(acts).collect();
         let reach = middle.dot(along) + half.dot(along.abs());
-        (sum > self.threshold - 2.0 * TOLERANCE).then_some(Cell { middle, half, reach, elements })
+        (sum > self.surely_less()).then_some(Cell { middle, half, reach, elements })
     }
 }
