@@ -69,8 +69,9 @@ impl Convex {
         let margin = |t: f64| MARGIN * (1.0 + t.abs());
         let (from, to) = (enter - margin(enter), leave + margin(leave));
         let span = (most(from, range.0), least(to, range.1));
-        let free = from > to || self.others.iter().any(|&leaf| leaves.plainly_misses(leaf, ray, span));
-        (!free).then_some(span)
+        // No order where the ray is nowhere inside a body.
+        let meets = from <= to && !self.others.iter().any(|&leaf| leaves.plainly_misses(leaf, ray, span));
+        meets.then_some(span)
     }
 
     /// Its planes in other coordinates.

@@ -17,6 +17,8 @@ pub(crate) type Corners = [Vec3; 8];
 pub struct Shaft {
     corners: Corners,
     region: Region,
+    /// Is what stands in it remembered for many rays, so that it is worth looking into groups?
+    lasting: bool,
 }
 
 /// What may stand in a shaft.
@@ -54,6 +56,7 @@ impl Shaft {
         Shaft {
             corners: std::array::from_fn(corner),
             region: Region { bounds: *b, planes: [(Vec3::ZERO, 0.0); 4] },
+            lasting: false,
         }
     }
 
@@ -65,13 +68,13 @@ impl Shaft {
             corners[i] = p + (far - p).try_normalize()? * start;
             corners[i + 4] = far;
         }
-        Some(Shaft { corners, region: region(corners, patch.map(|far| far - p), p) })
+        Some(Shaft { corners, region: region(corners, patch.map(|far| far - p), p), lasting: false })
     }
 
-    /// The frustum between two patches that look the same from a point.
+    /// The frustum between two patches that look the same from a point. What stands in it is remembered.
     pub fn between(p: Vec3, near: [Vec3; 4], far: [Vec3; 4]) -> Shaft {
         let corners = std::array::from_fn(|i| if i < 4 { near[i] } else { far[i - 4] });
-        Shaft { corners, region: region(corners, far.map(|far| far - p), p) }
+        Shaft { corners, region: region(corners, far.map(|far| far - p), p), lasting: true }
     }
 }
 
@@ -164,7 +167,7 @@ impl Tree {
             Node::Leaf(leaf) => return self.leaves.misses(leaf, &shaft.corners),
             Node::Group(group) => &self.groups[group as usize],
         };
-        if group.members.len() > MOST_MEMBERS {
+        if !shaft.lasting || group.members.len() > MOST_MEMBERS {
             return false;
         }
         let members = || group.members.iter().map(|member| member.node);

@@ -45,10 +45,10 @@ use crate::shape_pool::uniform_scale;
 use crate::texturing::PartUses;
 use crate::{BuildError, LocalHit, Surface};
 
+pub(crate) use blob::acting;
 pub(crate) use box_::{AxisRay, Cuboid};
 pub(crate) use cone::Cone;
 pub(crate) use disc::Disc;
-pub(crate) use blob::acting;
 pub(crate) use julia::radius as julia_radius;
 pub(crate) use mesh::MeshShape;
 pub(crate) use plane::Plane;

@@ -64,7 +64,7 @@ impl Element {
         let far_z = (away.z + half.z - length).max(half.z - away.z).max(0.0);
         let u = 1.0 - per_radius2 * (beside(near) + near_z * near_z);
         let least = (1.0 - per_radius2 * (beside(far) + far_z * far_z)).max(0.0);
-        (u > 0.0).then(|| self.strength * if self.strength > 0.0 { u * u } else { least * least })
+        (u > 0.0).then_some(self.strength * if self.strength > 0.0 { u * u } else { least * least })
     }
 }
 
@@ -115,5 +115,79 @@ impl Blob {
         let elements: Vec<u32> = elements.iter().copied().filter(acts).collect();
         let reach = middle.dot(along) + half.dot(along.abs());
         (sum > self.surely_less()).then_some(Cell { middle, half, reach, elements })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Spans, Surface};
+    use super::*;
+    use crate::shapes::collect::All;
+    use raggio_math::{Affine, Ray, transform};
+    use raggio_scene::{BlobComponent, BlobShape};
+
+    /// Balls and rods about the origin, some turned, stretched or of negative strength.
+    fn blob(seed: usize) -> Blob {
+        let wave = |i: usize| ((seed * 31 + i * 17) as f64 * 0.73).sin();
+        let vector = |i: usize| Vec3::new(wave(i), wave(i + 1), wave(i + 2));
+        let component = |i: usize| {
+            let (at, radius) = (vector(i) * 0.8, 0.9 + 0.4 * wave(i + 3));
+            let shape = match i % 3 {
+                0 => BlobShape::Cylinder { base: at, cap: -at * 0.5, radius },
+                _ => BlobShape::Sphere { center: at, radius },
+            };
+            let turn = transform::rotate(vector(i + 4) * 90.0);
+            let blob_from_component = turn * transform::scale(Vec3::ONE + 0.5 * vector(i + 5));
+            let strength = if i % 4 == 3 { -0.7 } else { 1.0 + 0.3 * wave(i + 6) };
+            BlobComponent { shape, strength, blob_from_component, texture: None }
+        };
+        let components = (0..1 + seed % 5).map(component).collect();
+        Blob::new(&raggio_scene::Blob { threshold: 0.5, components }, &Affine::IDENTITY)
+    }
+
+    #[test]
+    fn a_ball_reaches_as_far_as_its_surface() {
+        let shape = BlobShape::Sphere { center: Vec3::X, radius: 2.0 };
+        let component =
+            BlobComponent { shape, strength: 1.0, blob_from_component: Affine::IDENTITY, texture: None };
+        let ball =
+            Blob::new(&raggio_scene::Blob { threshold: 0.6, components: vec![component] }, &Affine::IDENTITY);
+        // Where (1 - (r / 2)^2)^2 is the threshold.
+        let radius = 2.0 * (1.0 - 0.6_f64.sqrt()).sqrt();
+        let b = ball.bounds();
+        for (reach, exact) in [(b.max.x, 1.0 + radius), (-b.min.x, radius - 1.0), (b.max.z, radius)] {
+            assert!(reach >= exact && reach < exact + 0.1, "{reach} for {exact}");
+        }
+    }
+
+    #[test]
+    fn no_surface_lies_beyond_and_no_hit_where_rays_plainly_miss() {
+        let (mut hits, mut missed) = (0, 0);
+        for seed in 0..40 {
+            let blob = blob(seed);
+            let b = blob.bounds();
+            for i in 0..100 {
+                let turn = f64::from(i) * 2.4;
+                let origin = Vec3::new(turn.cos(), (turn * 0.7).sin(), turn.sin()) * 4.0;
+                let aim = Vec3::new((turn * 1.3).sin(), (turn * 1.9).cos(), (turn * 0.3).sin());
+                let ray = Ray::new(origin, (aim - origin).normalize());
+                // The sweep without its short cut.
+                let mut spans = Spans::new();
+                blob.gather(&ray, (0.0, 9.0), &mut spans);
+                spans.sort_unstable_by(|a, b| a.from.total_cmp(&b.from));
+                let mut all = Vec::new();
+                blob.sweep(&spans, &mut All { range: (0.0, 9.0), out: &mut all });
+                for hit in &all {
+                    let p = ray.at(hit.t);
+                    assert!(b.grown(1e-9).contains(p), "{p} in {b:?}, {seed}");
+                    let along = Vec3::new(0.6, -0.8, turn.sin());
+                    assert!(p.dot(along) <= blob.reach(along).expect("a reach") + 1e-9, "{p}, {seed}");
+                }
+                let misses = blob.plainly_misses(&ray, (0.0, 9.0));
+                assert!(!misses || all.is_empty(), "{seed} {i}");
+                (hits, missed) = (hits + all.len(), missed + usize::from(misses));
+            }
+        }
+        assert!(hits > 1000 && missed > 500, "{hits} {missed}");
     }
 }
