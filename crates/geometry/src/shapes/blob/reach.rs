@@ -6,13 +6,16 @@ use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
 use raggio_math::{Aabb, Vec3};
+use smallvec::SmallVec;
 
 use super::{Blob, Element, Form};
 
 /// So many cells are looked at for one answer.
-const LOOKS: usize = 256;
+const LOOKS: usize = 160;
 /// Cells are cut no smaller than this share of all.
-const FINEST: f64 = 1.0 / 128.0;
+const FINEST: f64 = 1.0 / 256.0;
+/// They are cut shorter by so much along the vector that is asked for than across it.
+const FLATNESS: f64 = 4.0;
 /// Blobs of a lower threshold reach as far as their components act.
 const LEAST_THRESHOLD: f64 = 1e-3;
 
@@ -20,27 +23,41 @@ const LEAST_THRESHOLD: f64 = 1e-3;
 struct Cell {
     middle: Vec3,
     half: Vec3,
-    /// How far it reaches along the vector that is asked for.
-    reach: f64,
     /// Components that act in it.
-    elements: Vec<u32>,
+    elements: Elements,
 }
 
-impl PartialEq for Cell {
+type Elements = SmallVec<[u32; 8]>;
+
+/// A cell by number, and how far it reaches.
+struct Waiting {
+    reach: f64,
+    cell: usize,
+}
+
+/// A search for the cell that reaches farthest along a vector.
+struct Search<'a> {
+    blob: &'a Blob,
+    along: Vec3,
+    cells: Vec<Cell>,
+    waiting: BinaryHeap<Waiting>,
+}
+
+impl PartialEq for Waiting {
     fn eq(&self, other: &Self) -> bool {
         self.cmp(other).is_eq()
     }
 }
 
-impl Eq for Cell {}
+impl Eq for Waiting {}
 
-impl PartialOrd for Cell {
+impl PartialOrd for Waiting {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         Some(self.cmp(other))
     }
 }
 
-impl Ord for Cell {
+impl Ord for Waiting {
     fn cmp(&self, other: &Self) -> Ordering {
         self.reach.total_cmp(&other.reach)
     }
@@ -83,38 +100,46 @@ impl Blob {
         if self.threshold.is_nan() || self.threshold < LEAST_THRESHOLD || !b.is_finite() {
             return f64::INFINITY;
         }
-        let whole = b.size() * 0.5;
-        let all: Vec<u32> = (0..self.elements.len() as u32).collect();
-        let mut cells = BinaryHeap::from_iter(self.cell(b.centre(), whole, along, &all));
+        let whole = (b.size() * 0.5).max(Vec3::splat(f64::MIN_POSITIVE));
+        // What to multiply sides of cells by, before the longest is cut.
+        let length = along.length().max(f64::MIN_POSITIVE);
+        let shares = (Vec3::ONE + along.abs() / length * (FLATNESS - 1.0)) / whole;
+        let mut search = Search { blob: self, along, cells: Vec::new(), waiting: BinaryHeap::new() };
+        search.look(b.centre(), b.size() * 0.5, &(0..self.elements.len() as u32).collect());
         let mut looks = 0;
-        while let Some(cell) = cells.peek() {
-            let share = cell.half / whole.max(Vec3::splat(f64::MIN_POSITIVE));
+        while let Some(Waiting { reach, cell }) = search.waiting.pop() {
+            let Cell { middle, mut half, .. } = search.cells[cell];
+            let share = half * shares;
             let axis = (0..3).fold(0, |most, k| if share[k] > share[most] { k } else { most });
             if looks >= LOOKS || share[axis] < FINEST {
-                return cell.reach;
+                return reach;
             }
             looks += 2;
-            if let Some(Cell { middle, mut half, elements, .. }) = cells.pop() {
-                half[axis] *= 0.5;
-                let step = Vec3::AXES[axis] * half[axis];
-                cells.extend(self.cell(middle - step, half, along, &elements));
-                cells.extend(self.cell(middle + step, half, along, &elements));
-            }
+            half[axis] *= 0.5;
+            let step = Vec3::AXES[axis] * half[axis];
+            let elements = std::mem::take(&mut search.cells[cell].elements);
+            search.look(middle - step, half, &elements);
+            search.look(middle + step, half, &elements);
         }
         f64::NEG_INFINITY
     }
+}
 
-    /// A cell in which of some components only these act; `None` where the field is too weak.
-    fn cell(&self, middle: Vec3, half: Vec3, along: Vec3, elements: &[u32]) -> Option<Cell> {
+impl Search<'_> {
+    /// Puts a cell, in which of some components only these act, among the others, unless the field is too weak there.
+    fn look(&mut self, middle: Vec3, half: Vec3, elements: &Elements) {
         let mut sum = 0.0;
         let acts = |&i: &u32| {
-            let most = self.elements[i as usize].most(middle, half);
+            let most = self.blob.elements[i as usize].most(middle, half);
             sum += most.unwrap_or_default();
             most.is_some()
         };
-        let elements: Vec<u32> = elements.iter().copied().filter(acts).collect();
-        let reach = middle.dot(along) + half.dot(along.abs());
-        (sum > self.surely_less()).then_some(Cell { middle, half, reach, elements })
+        let elements: Elements = elements.iter().copied().filter(acts).collect();
+        if sum > self.blob.surely_less() {
+            let reach = middle.dot(self.along) + half.dot(self.along.abs());
+            self.waiting.push(Waiting { reach, cell: self.cells.len() });
+            self.cells.push(Cell { middle, half, elements });
+        }
     }
 }
 
@@ -173,10 +198,10 @@ mod tests {
                 let ray = Ray::new(origin, (aim - origin).normalize());
                 // The sweep without its short cut.
                 let mut spans = Spans::new();
-                blob.gather(&ray, (0.0, 9.0), &mut spans);
+                blob.gather(&ray, (0.0, 9.0), f64::INFINITY, &mut spans);
                 spans.sort_unstable_by(|a, b| a.from.total_cmp(&b.from));
                 let mut all = Vec::new();
-                blob.sweep(&spans, &mut All { range: (0.0, 9.0), out: &mut all });
+                blob.sweep(&spans, (0.0, f64::INFINITY), &mut All { range: (0.0, 9.0), out: &mut all });
                 for hit in &all {
                     let p = ray.at(hit.t);
                     assert!(b.grown(1e-9).contains(p), "{p} in {b:?}, {seed}");
