@@ -7,9 +7,9 @@ mod complex;
 mod crackle;
 mod crackle_bounds;
 mod density;
+mod few;
 mod fractal;
 mod geometric;
-mod known;
 mod noisy;
 mod pavement;
 mod ripples;
@@ -198,6 +198,7 @@ impl Pattern {
         match &self.kind {
             Kind::Bozo { noise } => values = noise4(*noise, points),
             Kind::Fractal(settings) => values = fractal::values(settings, points),
+            Kind::Crackle(crackle) => values = crackle.value4(points),
             Kind::Granite { noise } => values = noisy::granite4(points, *noise),
             Kind::Wrinkles { noise } => values = noisy::wrinkles4(points, *noise),
             Kind::Pigment(pigment) => {

@@ -64,7 +64,7 @@ impl WarpList {
     /// The point that the pattern sees.
     #[inline(always)]
     pub fn apply(&self, p: Vec3) -> Vec3 {
-        self.apply_at(p.x, p.y, p.z)
+        if self.ops.is_empty() { clip(p) } else { self.apply_at(p.x, p.y, p.z) }
     }
 
     /// Coordinates come in registers, where they need not be waited for.
