@@ -158,16 +158,22 @@ impl<const N: usize> Nearest<N> {
     /// Looks at the 27 cells around the point, and at the others only where they may count.
     #[inline]
     fn search(q: Vec3, metric: Metric) -> Self {
-        if metric.grows() {
-            let base = floors(q - Vec3::splat(EPS));
-            let f = q - base;
-            let rim = (f + 1.0).min_element().min((2.0 - f).min_element());
-            let near = Around::ask(base, |around| Self::among(around, q, metric));
-            if metric.term(rim) > near.powers[N - 1] {
-                return near;
-            }
+        if !metric.grows() {
+            return Self::search_all(q, metric);
         }
-        Self::search_all(q, metric)
+        let base = floors(q - Vec3::splat(EPS));
+        let f = q - base;
+        let rim = (f + 1.0).min_element().min((2.0 - f).min_element());
+        let mut near = Around::ask(base, |around| Self::among(around, q, metric));
+        if metric.term(rim) > near.powers[N - 1] {
+            return near;
+        }
+        if N == 1 {
+            // Of equally near points it matters which comes first.
+            return Self::search_all(q, metric);
+        }
+        near.look(q, metric, &CELLS[NEAR_CELLS..]);
+        near
     }
 
     fn among(around: &Around, q: Vec3, metric: Metric) -> Self {
@@ -193,31 +199,30 @@ impl<const N: usize> Nearest<N> {
         all
     }
 
-    /// Looks at all cells.
     fn search_all(q: Vec3, metric: Metric) -> Self {
+        let mut nearest = Nearest { powers: [f64::INFINITY; N], point: q, order: usize::MAX };
+        nearest.look(q, metric, &CELLS);
+        nearest
+    }
+
+    /// Looks at cells around that of the point.
+    fn look(&mut self, q: Vec3, metric: Metric, cells: &[([i8; 3], u8)]) {
         let base = floors(q - Vec3::splat(EPS));
         let f = q - base;
         // What the way to the slab of cells two below .. two above adds at least, per axis.
         let term = |d: f64| metric.term(d);
         let gap = |f: f64| [term(f + 1.0), term(f), term(0.0), term(1.0 - f), term(2.0 - f)];
         let gaps = [gap(f.x), gap(f.y), gap(f.z)];
-        let rim = |gap: &[f64; 5]| gap[0].min(gap[4]);
-        let far = rim(&gaps[0]).min(rim(&gaps[1])).min(rim(&gaps[2]));
         let prune = metric.grows();
-        let mut nearest = Nearest { powers: [f64::INFINITY; N], point: base, order: usize::MAX };
-        for (i, (d, order)) in CELLS.iter().enumerate() {
+        for (d, order) in cells {
             let gap = |k: usize| gaps[k][(d[k] + 2) as usize];
-            if prune && i == NEAR_CELLS && far > nearest.powers[N - 1] {
-                break;
-            }
-            if prune && gap(0) + gap(1) + gap(2) > nearest.powers[N - 1] {
+            if prune && gap(0) + gap(1) + gap(2) > self.powers[N - 1] {
                 continue;
             }
             let cell = base + Vec3::new(f64::from(d[0]), f64::from(d[1]), f64::from(d[2]));
             let point = point_in(cell);
-            nearest.offer(metric.power(q - point), point, usize::from(*order));
+            self.offer(metric.power(q - point), point, usize::from(*order));
         }
-        nearest
     }
 
     #[inline]
