@@ -166,29 +166,16 @@ impl Leaves {
             Prim::Plane(plane) => put(plane.closest(ray, range).map(own), out),
             Prim::Box(cuboid) => put(cuboid.closest(ray, range).map(own), out),
             Prim::PlacedBox { both, .. } => put(self.boxes[*both as usize].closest(ray, range).map(own), out),
-            Prim::World(s) => self.shape_into(*s, ray, range, own, stops, out),
+            Prim::World(s) => {
+                let shape = &self.shapes[*s as usize];
+                put(shape.closest_or(ray, range, |local| stops(&own(*local))).map(own), out)
+            }
             Prim::Placed { shape, place } => {
                 let (shape, place) = (&self.shapes[*shape as usize], &self.places[*place as usize]);
                 let found = closest_placed(shape, place, ray, range, |t, local| stops(&at(t, *local)));
                 put(found.map(|(t, local)| at(t, local)), out)
             }
         }
-    }
-
-    /// [`Leaves::closest_into`] for a shape in the world. Not inlined, so that the simplest leaves need not pay for the
-    /// room in which others work.
-    #[inline(never)]
-    fn shape_into(
-        &self,
-        shape: u32,
-        ray: &Ray,
-        range: (f64, f64),
-        hit: impl Fn(LocalHit) -> Hit,
-        stops: &impl Fn(&Hit) -> bool,
-        out: &mut Hit,
-    ) -> bool {
-        let shape = &self.shapes[shape as usize];
-        put(shape.closest_or(ray, range, |local| stops(&hit(*local))).map(hit), out)
     }
 
     /// [`Leaves::closest_into`] for loops. Not inlined: the compiler would take out of the loop what any shape may ask of

@@ -6,7 +6,7 @@ use raggio_math::{Aabb, Vec3};
 use smallvec::SmallVec;
 
 use crate::shaft::Shaft;
-use crate::tree::{Member, Node, NodeRef};
+use crate::tree::{Node, NodeRef};
 use crate::{Geometry, RayClass};
 
 /// What may stand in a shaft.
@@ -112,14 +112,18 @@ impl List {
 }
 
 impl Geometry {
-    /// Has it so few objects that all of them are tested at once anyway, and some that may stand in their own light?
+    /// Has it so few objects that all of them are tested at once anyway?
+    #[inline]
     pub fn is_small(&self) -> bool {
-        let members = &self.world.members;
-        let hollow = |member: &Member| match member.node.node() {
-            Node::Leaf(leaf) => !self.is_convex(leaf),
-            Node::Group(_) => true,
-        };
-        members.len() <= BoxRow::MOST && members.iter().any(hollow)
+        self.world.members.len() <= BoxRow::MOST
+    }
+
+    /// Can none of its objects stand in their own light, as far as [`Geometry::is_convex`] tells?
+    pub fn is_all_convex(&self) -> bool {
+        self.world.members.iter().all(|member| match member.node.node() {
+            Node::Leaf(leaf) => self.is_convex(leaf),
+            Node::Group(_) => false,
+        })
     }
 
     /// What may stand in a shaft in the way of rays of a class.

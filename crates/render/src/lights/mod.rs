@@ -9,10 +9,11 @@ use raggio_image::Rgb;
 use raggio_math::{Ray, Vec3};
 use raggio_scene as scene;
 
-use buffer::{Before, LightBuffer};
+use buffer::LightBuffer;
 
 pub use area::{AreaGrid, AreaScratch};
 pub use attenuation::Cone;
+pub use buffer::Before;
 pub use shadow::Start;
 
 /// So many lights of a scene have buffers.
@@ -70,7 +71,9 @@ impl LightSource {
         let kind = &light.kind;
         let parallel = light.parallel || matches!(kind, scene::LightKind::Cylinder { .. });
         let from_one_point = !parallel && light.area.is_none();
-        let buffered = index < MOST_BUFFERS && from_one_point && !geometry.is_small();
+        // Where all objects are tested at once, only what is plainly clear saves anything.
+        let pays = !geometry.is_small() || geometry.is_all_convex();
+        let buffered = index < MOST_BUFFERS && from_one_point && pays;
         let through = light.projected_through.as_ref().map(Geometry::of_object).transpose()?;
         Ok(LightSource {
             index,

@@ -9,7 +9,7 @@ use raggio_shading::{Context, Layer};
 use smallvec::SmallVec;
 
 use super::area::{AreaGrid, AreaScratch, View};
-use super::{LightSource, Path};
+use super::{Before, LightSource, Path};
 use crate::integrator::{Interiors, NormalPath, Tracer, fade, for_each_plain, placed, toggle};
 use crate::world::{Passing, World};
 
@@ -67,7 +67,11 @@ impl Tracer<'_> {
             return light;
         }
         let Some(grid) = source.area.as_ref().filter(|_| self.quality.area_lights()) else {
-            let before = source.before(path, &self.world.geometry);
+            let geometry = &self.world.geometry;
+            let before = match start.own.is_none() && geometry.is_small() {
+                true => Before::UNKNOWN,
+                false => source.before(path, geometry),
+            };
             let clear = before.is_clear(start.own_before(path));
             if clear && self.is_clear(source) && source.projected_through.is_none() {
                 return light;
