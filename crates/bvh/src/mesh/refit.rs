@@ -1,5 +1,4 @@
 //! Moving the vertices of a mesh under a tree that is there already, as for the next frame of an animation.
-use raggio_math::Aabb;
 use rayon::prelude::*;
 
 use super::{Block, LEAF, MeshBvh, block};
@@ -32,6 +31,6 @@ impl MeshBvh {
                 self.nodes[at].set_bounds(slot, &bounds);
             }
         }
-        self.bounds = self.nodes[0].children().fold(Aabb::EMPTY, |all, (b, _)| all.union(&b));
+        self.bounds = self.nodes[0].bounds();
     }
 }
