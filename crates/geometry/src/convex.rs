@@ -1,10 +1,10 @@
 //! The convex part of an intersection: planes, spheres and other convex bodies, which say at once where a ray can be
-//! inside at all. Clips are as good as members.
+//! inside at all; and members that quickly tell that it nowhere is. Clips are as good as members.
 use raggio_math::{Aabb, Affine, EPS, Ray, Vec3, transform};
 
 use crate::body::{Body, Ready};
 use crate::leaf::Leaves;
-use crate::shapes::Plane;
+use crate::shapes::{Plane, ShapeKind};
 use crate::tree::{Node, NodeRef};
 
 /// Room for rounding at both ends of a span, as a share of the distance and by itself.
@@ -21,10 +21,12 @@ const MOST_PLANES: usize = 8;
 pub(crate) struct Convex {
     planes: Vec<Plane>,
     bodies: Vec<Body>,
+    /// Leaves of no such form that may say that a ray is nowhere inside them.
+    others: Vec<u32>,
 }
 
 impl Convex {
-    /// The convex bodies among the members of an intersection and the clips, if there are any.
+    /// Such members of an intersection and clips, if there are any.
     pub(crate) fn of(members: impl Iterator<Item = NodeRef>, leaves: &Leaves) -> Option<Self> {
         let mut convex = Convex::default();
         for node in members {
@@ -33,16 +35,19 @@ impl Convex {
                 _ if leaves.leaves[index as usize].inverted => {}
                 Some(Body::Half(plane)) => convex.planes.push(plane),
                 // The boxes of members say the same.
-                Some(Body::Box(_) | Body::PlacedBox(..)) | None => {}
+                Some(Body::Box(_) | Body::PlacedBox(..)) => {}
+                None if leaves.shape(index).is_some_and(ShapeKind::tells_misses) => convex.others.push(index),
+                None => {}
                 Some(body) => convex.bodies.push(body),
             }
         }
-        (!(convex.planes.is_empty() && convex.bodies.is_empty())).then_some(convex)
+        let empty = convex.planes.is_empty() && convex.bodies.is_empty() && convex.others.is_empty();
+        (!empty).then_some(convex)
     }
 
     /// The part of a range in which the ray can be inside all of them, and a little more; `None` where it nowhere is.
     #[inline]
-    pub(crate) fn span(&self, ray: &Ray, range: (f64, f64)) -> Option<(f64, f64)> {
+    pub(crate) fn span(&self, ray: &Ray, range: (f64, f64), leaves: &Leaves) -> Option<(f64, f64)> {
         let least = |a: f64, b: f64| if a < b { a } else { b };
         let most = |a: f64, b: f64| if a > b { a } else { b };
         let (mut enter, mut leave) = range;
@@ -63,7 +68,10 @@ impl Convex {
         }
         let margin = |t: f64| MARGIN * (1.0 + t.abs());
         let (from, to) = (enter - margin(enter), leave + margin(leave));
-        (from <= to).then_some((most(from, range.0), least(to, range.1)))
+        let span = (most(from, range.0), least(to, range.1));
+        // No order where the ray is nowhere inside a body.
+        let meets = from <= to && !self.others.iter().any(|&leaf| leaves.plainly_misses(leaf, ray, span));
+        meets.then_some(span)
     }
 
     /// Its planes in other coordinates.
@@ -76,13 +84,19 @@ impl Convex {
         Convex { planes: self.planes.iter().map(moved).collect(), ..Convex::default() }
     }
 
-    /// A box around what the planes leave of a box.
+    /// A box around what the planes leave of a box without bounds; a box that has bounds stays as it is.
     pub(crate) fn bounds_within(&self, within: &Aabb) -> Aabb {
-        if self.planes.is_empty()
-            || self.planes.len() > MOST_PLANES
-            || within.is_empty()
-            || within.is_finite()
-        {
+        if within.is_finite() { *within } else { self.cut(within) }
+    }
+
+    /// A box around what the planes leave of a box, where some of them are at no right angle to an axis.
+    pub(crate) fn slanted_bounds_within(&self, within: &Aabb) -> Aabb {
+        let straight = |plane: &Plane| plane.side().0.abs().max_element() >= 1.0 - EPS;
+        if self.planes.iter().all(straight) { *within } else { self.cut(within) }
+    }
+
+    fn cut(&self, within: &Aabb) -> Aabb {
+        if self.planes.is_empty() || self.planes.len() > MOST_PLANES || within.is_empty() {
             return *within;
         }
         let far = Vec3::splat(FAR);
@@ -158,10 +172,11 @@ mod tests {
         let mut both = convex(&[(0.0, 1.0, 0.0, 0.5)]);
         both.bodies.push(Body::Ball(Sphere::new(Vec3::ZERO, 1.0)));
         let up = Ray::new(Vec3::new(0.0, -3.0, 0.0), Vec3::Y);
-        let (from, to) = both.span(&up, (0.0, 10.0)).unwrap();
+        let span = |ray: &Ray, range| both.span(ray, range, &Leaves::default());
+        let (from, to) = span(&up, (0.0, 10.0)).unwrap();
         assert!((from - 2.0).abs() < 1e-5 && (to - 3.5).abs() < 1e-5);
-        assert!(both.span(&Ray::new(Vec3::new(2.0, -3.0, 0.0), Vec3::Y), (0.0, 10.0)).is_none());
-        assert!(both.span(&Ray::new(Vec3::new(0.0, 3.0, 0.0), Vec3::Y), (0.0, 10.0)).is_none());
-        assert!(both.span(&up, (4.0, 10.0)).is_none());
+        assert!(span(&Ray::new(Vec3::new(2.0, -3.0, 0.0), Vec3::Y), (0.0, 10.0)).is_none());
+        assert!(span(&Ray::new(Vec3::new(0.0, 3.0, 0.0), Vec3::Y), (0.0, 10.0)).is_none());
+        assert!(span(&up, (4.0, 10.0)).is_none());
     }
 }

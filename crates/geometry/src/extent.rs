@@ -9,7 +9,7 @@ use raggio_scene::{Csg, Curve2, Object, ObjectKind, Shape, SplineKind, SweepSphe
 use crate::Geometry;
 use crate::index::transformed;
 use crate::shape_pool::uniform_scale;
-use crate::shapes::julia_radius;
+use crate::shapes::{acting, julia_radius};
 
 /// Flat shapes are as thick as this, each way.
 const FLAT: f64 = 1e-3;
@@ -156,6 +156,7 @@ fn boxed(shape: &Arc<Shape>) -> Boxed {
             Boxed::straight(Aabb::around(mesh.vertices.iter().map(|v| v.map(f64::from).into())))
         }
         Shape::BicubicPatch { points, .. } => Boxed::straight(Aabb::around(points.iter().flatten().copied())),
+        Shape::Blob(blob) => Boxed::straight(acting(blob)),
         Shape::Julia(julia) => Boxed::straight(Aabb::around([Vec3::ZERO]).grown(julia_radius(julia))),
         Shape::Superellipsoid { .. } => Boxed::straight(Aabb::around([Vec3::ZERO]).grown(ROUND)),
         Shape::SphereSweep { kind, spheres, .. } => Boxed::straight(sweep(*kind, spheres)),

@@ -325,7 +325,12 @@ impl Walk {
         let nodes = limiting.iter().map(|m| m.member.node).chain(clips.iter().copied());
         let convex = Convex::of(nodes, &self.leaves);
         if op == Op::Intersection {
-            let held = convex.as_ref().map_or(limit, |convex| convex.bounds_within(&limit));
+            // What the language is told of objects follows from simpler rules.
+            let held =
+                convex.as_ref().map_or(limit, |convex| match limit.is_finite() && !self.keep_all_bounds {
+                    true => convex.slanted_bounds_within(&limit),
+                    false => convex.bounds_within(&limit),
+                });
             for m in own.iter_mut().filter(|m| self.leaves.is_plane(m.member.node)) {
                 m.change(|boxes| boxes.hold(&held));
             }

@@ -272,6 +272,18 @@ impl Leaves {
         buffer.truncate(start);
     }
 
+    /// Is it plain that a ray is nowhere inside a leaf, nor meets its surface, within a range?
+    pub(crate) fn plainly_misses(&self, index: u32, ray: &Ray, range: (f64, f64)) -> bool {
+        match self.leaves[index as usize].prim {
+            Prim::World(shape) => self.shapes[shape as usize].plainly_misses(ray, range),
+            Prim::Placed { shape, place } => {
+                let local = LocalRay::new(ray, &self.places[place as usize]);
+                self.shapes[shape as usize].plainly_misses(&local.ray, local.range(range))
+            }
+            _ => false,
+        }
+    }
+
     /// A box around the part of a node's surface that lies within a box and behind some planes, and whether the solid is
     /// turned inside out; `None` where nothing better than its own box is known.
     pub(crate) fn bounds_within(

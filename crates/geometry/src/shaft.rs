@@ -6,8 +6,8 @@ use raggio_bvh::{BoxRow, Region};
 use raggio_math::{Aabb, Affine, Vec3};
 use smallvec::SmallVec;
 
-use crate::leaf::{Leaves, Prim};
-use crate::tree::{Node, Tree};
+use crate::leaf::{Leaf, Leaves, Prim};
+use crate::tree::{Node, NodeRef, Op, Tree};
 use crate::{Geometry, RayClass};
 
 /// The corners of a shaft: near the point, then far.
@@ -17,6 +17,8 @@ pub(crate) type Corners = [Vec3; 8];
 pub struct Shaft {
     corners: Corners,
     region: Region,
+    /// Is what stands in it remembered for many rays, so that it is worth looking into groups?
+    lasting: bool,
 }
 
 /// What may stand in a shaft.
@@ -41,6 +43,9 @@ pub struct List {
 /// Up to so many leaves are asked without their boxes.
 const BARE: usize = 2;
 
+/// Groups of more members are not looked into.
+const MOST_MEMBERS: usize = 32;
+
 impl Shaft {
     /// A box instead of a shaft.
     pub(crate) fn of_box(b: &Aabb) -> Shaft {
@@ -51,6 +56,7 @@ impl Shaft {
         Shaft {
             corners: std::array::from_fn(corner),
             region: Region { bounds: *b, planes: [(Vec3::ZERO, 0.0); 4] },
+            lasting: false,
         }
     }
 
@@ -62,13 +68,13 @@ impl Shaft {
             corners[i] = p + (far - p).try_normalize()? * start;
             corners[i + 4] = far;
         }
-        Some(Shaft { corners, region: region(corners, patch.map(|far| far - p), p) })
+        Some(Shaft { corners, region: region(corners, patch.map(|far| far - p), p), lasting: false })
     }
 
-    /// The frustum between two patches that look the same from a point.
+    /// The frustum between two patches that look the same from a point. What stands in it is remembered.
     pub fn between(p: Vec3, near: [Vec3; 4], far: [Vec3; 4]) -> Shaft {
         let corners = std::array::from_fn(|i| if i < 4 { near[i] } else { far[i - 4] });
-        Shaft { corners, region: region(corners, far.map(|far| far - p), p) }
+        Shaft { corners, region: region(corners, far.map(|far| far - p), p), lasting: true }
     }
 }
 
@@ -156,9 +162,25 @@ impl Geometry {
 
 impl Tree {
     /// Is it plain that the surface of a node does not reach into a shaft?
-    fn misses(&self, node: crate::tree::NodeRef, shaft: &Shaft) -> bool {
+    fn misses(&self, node: NodeRef, shaft: &Shaft) -> bool {
+        let group = match node.node() {
+            Node::Leaf(leaf) => return self.leaves.misses(leaf, &shaft.corners),
+            Node::Group(group) => &self.groups[group as usize],
+        };
+        if !shaft.lasting || group.members.len() > MOST_MEMBERS {
+            return false;
+        }
+        let members = || group.members.iter().map(|member| member.node);
+        let lacks = |node| self.lacks(node, shaft);
+        group.clips.iter().copied().any(lacks)
+            || (group.op == Op::Intersection && members().any(lacks))
+            || members().all(|member| self.misses(member, shaft))
+    }
+
+    /// Is it plain that no point of a shaft is inside a node?
+    fn lacks(&self, node: NodeRef, shaft: &Shaft) -> bool {
         match node.node() {
-            Node::Leaf(leaf) => self.leaves.misses(leaf, &shaft.corners),
+            Node::Leaf(leaf) => self.leaves.lacks(leaf, &shaft.corners),
             Node::Group(_) => false,
         }
     }
@@ -175,6 +197,23 @@ impl Leaves {
             Prim::World(s) => self.shapes[*s as usize].misses(corners),
             Prim::Placed { shape, place } => {
                 self.shapes[*shape as usize].misses(&moved(&self.places[*place as usize]))
+            }
+        }
+    }
+
+    /// Is it plain that no point of a hull is inside a leaf, its inversion counted?
+    fn lacks(&self, leaf: u32, corners: &Corners) -> bool {
+        let Leaf { prim, inverted, .. } = &self.leaves[leaf as usize];
+        let apart = |shape: u32, corners: &Corners| !inverted && self.shapes[shape as usize].lacks(corners);
+        match prim {
+            // All of the hull is on one side of the surface.
+            Prim::Sphere { .. } | Prim::Plane(_) | Prim::Box(_) | Prim::PlacedBox { .. } => {
+                !self.inside(leaf, corners[0]) && self.misses(leaf, corners)
+            }
+            Prim::World(shape) => apart(*shape, corners),
+            Prim::Placed { shape, place } => {
+                let object_from_world = &self.places[*place as usize];
+                apart(*shape, &corners.map(|p| object_from_world.transform_point3(p)))
             }
         }
     }

@@ -205,11 +205,12 @@ impl Solid {
         }
     }
 
-    /// Under nothing but intersections nothing counts outside a part.
+    /// Under nothing but intersections, and combinations of one member, nothing counts outside a part.
     fn mark_limits(&mut self) {
         let mut limits = [false; MOST_LEVELS];
         for (i, level) in self.levels.iter().enumerate() {
-            limits[i] = level.op == Op::Intersection && level.parent.is_none_or(|p| limits[usize::from(p)]);
+            let all = level.op == Op::Intersection || level.size == 1;
+            limits[i] = all && level.parent.is_none_or(|p| limits[usize::from(p)]);
         }
         for part in &mut self.parts {
             let limiting = limits[usize::from(part.level)];

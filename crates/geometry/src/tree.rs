@@ -77,7 +77,7 @@ pub(crate) struct Group {
     pub(crate) clips: Vec<NodeRef>,
     /// Rays that miss any of them miss the group.
     pub(crate) bounds: Vec<NodeRef>,
-    /// What it lies within: planes and spheres of an intersection, and of the clips.
+    /// What it lies within: planes and other simple members of an intersection, and of the clips.
     pub(crate) convex: Option<Convex>,
     /// The whole of it, if it is small and simple.
     pub(crate) solid: Option<Box<Solid>>,
@@ -128,10 +128,10 @@ const NOBODY: u32 = u32::MAX;
 impl Group {
     /// The part of a range in which a ray may hit it, as far as its convex part tells.
     #[inline(always)]
-    fn span(&self, ray: &Ray, range: (f64, f64)) -> Option<(f64, f64)> {
+    fn span(&self, ray: &Ray, range: (f64, f64), leaves: &Leaves) -> Option<(f64, f64)> {
         match &self.convex {
             None => Some(range),
-            Some(convex) => convex.span(ray, range),
+            Some(convex) => convex.span(ray, range, leaves),
         }
     }
 
@@ -177,7 +177,7 @@ impl Tree {
         {
             return found;
         }
-        let range = group.span(probe.ray, range)?;
+        let range = group.span(probe.ray, range, &self.leaves)?;
         if !self.within_bounds(group, probe, scratch) {
             return None;
         }
@@ -315,7 +315,7 @@ impl Tree {
             }
             hits.truncate(start);
         }
-        let Some(range) = group.span(probe.ray, range) else { return };
+        let Some(range) = group.span(probe.ray, range, &self.leaves) else { return };
         if !self.within_bounds(group, probe, scratch) {
             return;
         }

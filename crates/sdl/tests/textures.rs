@@ -40,6 +40,20 @@ fn finish(text: &str) -> Finish {
 }
 
 #[test]
+fn a_pigment_named_alone_is_the_very_one() {
+    let entries = |last: &str| {
+        let p = pigment(&format!(
+            "pigment_pattern {{ bozo }} #local W = pigment {{ wrinkles }} pigment_map {{ [0 W] [1 {last}] }}"
+        ));
+        let PigmentKind::PigmentMap { map, .. } = &p.kind else { panic!("{p:?}") };
+        Arc::ptr_eq(&map[0].1, &map[1].1)
+    };
+    assert!(entries("W"));
+    assert!(!entries("W scale 2"));
+    assert!(!entries("W uv_mapping"));
+}
+
+#[test]
 fn the_last_transform_acts_first_and_turbulence_last() {
     let p =
         pigment("bozo turbulence 0.5 scale 2 translate x warp { repeat 3*x flip y } rotate 90*y omega 0.7");

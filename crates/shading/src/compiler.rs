@@ -34,6 +34,7 @@ impl Compiler {
     pub fn shared_pigment(&mut self, pigment: &Arc<scene::Pigment>) -> Arc<Pigment> {
         let key = Arc::as_ptr(pigment);
         if let Some(done) = self.pigments.get(&key) {
+            done.remember();
             return done.clone();
         }
         let compiled = Arc::new(self.pigment(pigment));

@@ -9,6 +9,7 @@ mod context;
 mod external;
 mod image;
 mod map;
+mod memory;
 mod normal;
 mod pattern;
 mod pigment;

@@ -78,7 +78,7 @@ impl<T> Map<T> {
         Some((f64::from(self.positions[others]), last))
     }
 
-    pub fn items(&self) -> impl Iterator<Item = &T> {
+    pub fn items(&self) -> impl ExactSizeIterator<Item = &T> {
         self.items.iter()
     }
 }

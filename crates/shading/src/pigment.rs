@@ -9,6 +9,7 @@ use raggio_scene::{self as scene, PatternKind, PigmentKind};
 use crate::compiler::Compiler;
 use crate::image::Image;
 use crate::map::{Blend, Map};
+use crate::memory::{FOUR, Number, ONE, Sample, remembered};
 use crate::pattern::each;
 use crate::warp::WarpList;
 use crate::{Context, Noise, Pattern};
@@ -20,6 +21,18 @@ pub struct Pigment {
     quick_color: Option<Color>,
     opaque: bool,
     smooth: bool,
+    effort: Effort,
+    /// For one worth it that is in use at several places.
+    number: Number,
+}
+
+/// What it takes to find a value or a colour.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Effort {
+    /// Does it hang on the place alone?
+    pub local: bool,
+    /// Does it take long?
+    pub long: bool,
 }
 
 #[derive(Debug)]
@@ -69,7 +82,9 @@ impl Compiler {
             PigmentKind::PigmentMap { pattern, map } => {
                 let map = Map::new(map.iter().map(|(at, entry)| (*at, self.shared_pigment(entry))));
                 let average = matches!(pattern.kind, PatternKind::Average);
-                let pattern = Box::new(self.pattern(pattern));
+                // Of a map with one entry nobody asks where in it one is.
+                let even = map.items().len() == 1;
+                let pattern = Box::new(if even { self.mover(pattern) } else { self.pattern(pattern) });
                 if average { Kind::Average { pattern, map } } else { Kind::Pigments { pattern, map } }
             }
             PigmentKind::Image { warps, image } => {
@@ -82,7 +97,9 @@ impl Compiler {
         };
         let opaque = kind.is_opaque();
         let smooth = kind.is_smooth();
-        Pigment { kind, quick_color: pigment.quick_color, opaque, smooth }
+        let effort = kind.effort();
+        let number = Number::default();
+        Pigment { kind, quick_color: pigment.quick_color, opaque, smooth, effort, number }
     }
 }
 
@@ -132,9 +149,53 @@ impl Kind {
             Kind::Image { image, .. } => image.is_smooth(),
         }
     }
+
+    fn effort(&self) -> Effort {
+        match self {
+            Kind::Solid(_) | Kind::Image { .. } => Effort { local: true, long: false },
+            Kind::Colors { pattern, .. } | Kind::Foreseen { pattern, .. } => pattern.effort(),
+            Kind::Pigments { pattern, map } | Kind::Average { pattern, map } => {
+                map.items().map(|entry| entry.effort).fold(pattern.effort(), |all, effort| Effort {
+                    local: all.local && effort.local,
+                    long: all.long || effort.long,
+                })
+            }
+            Kind::Uv(_) => Effort { local: false, long: false },
+        }
+    }
 }
 
 impl Pigment {
+    /// Remembers from now on what it gave last, if that saves anything.
+    pub(crate) fn remember(&self) {
+        if self.effort.local && self.effort.long {
+            self.number.give();
+        }
+    }
+
+    /// What it takes to find its colour.
+    pub(crate) fn effort(&self) -> Effort {
+        self.effort
+    }
+
+    /// [`Pigment::sample`], maybe from memory.
+    #[inline]
+    pub(crate) fn ask(&self, p: Vec3, context: &Context) -> Sample {
+        match self.number.get() {
+            None => self.sample(p, context),
+            Some(number) => remembered(&ONE, number, [p], || [self.sample(p, context)])[0],
+        }
+    }
+
+    /// [`Pigment::sample4`], maybe from memory.
+    #[inline]
+    pub(crate) fn ask4(&self, points: &[Vec3; 4], context: &Context) -> [Sample; 4] {
+        match self.number.get() {
+            None => self.sample4(points, context),
+            Some(number) => remembered(&FOUR, number, *points, || self.sample4(points, context)),
+        }
+    }
+
     /// Compiles a pigment.
     pub fn compile(pigment: &scene::Pigment, noise: Noise) -> Self {
         Compiler::new(noise).pigment(pigment)
@@ -182,7 +243,7 @@ impl Pigment {
             }
             Kind::Average { pattern, map } => {
                 let p = pattern.warp(p);
-                average(map, |pigment| pigment.sample(p, context))
+                average(map, |pigment| pigment.ask(p, context))
             }
             Kind::Image { warps, image } => image_color(image.color(warps.apply(p))),
             Kind::Uv(inner) => inner.sample(context.uv_point(), context),
@@ -209,7 +270,7 @@ impl Pigment {
                 let blends = each(&pattern.eval_warped4(&points, context), |&value| map.at(value));
                 match common(&blends) {
                     Some((low, high, t)) => {
-                        let (low, high) = (low.sample4(&points, context), high.sample4(&points, context));
+                        let (low, high) = (low.ask4(&points, context), high.ask4(&points, context));
                         each(&[0, 1, 2, 3], |&i| mix(low[i], high[i], t[i]))
                     }
                     None => each(&[0, 1, 2, 3], |&i| pigment_at(&blends[i], points[i], context)),
@@ -281,8 +342,8 @@ impl Pigment {
 #[inline]
 fn pigment_at(blend: &Blend<'_, Arc<Pigment>>, p: Vec3, context: &Context) -> (Color, bool) {
     match blend {
-        Blend::One(entry) => entry.map_or((Color::BLACK, true), |e| e.sample(p, context)),
-        Blend::Two(low, high, t) => mix(low.sample(p, context), high.sample(p, context), *t),
+        Blend::One(entry) => entry.map_or((Color::BLACK, true), |e| e.ask(p, context)),
+        Blend::Two(low, high, t) => mix(low.ask(p, context), high.ask(p, context), *t),
     }
 }
 

@@ -115,3 +115,28 @@ fn parts_shared_in_deep_nesting_are_compiled_once() {
     }
     assert!(raggio_shading::Pigment::compile(&pigment, Noise::default()).is_opaque());
 }
+
+/// Wrinkles where a crackle of the same wrinkles says so; in the same place in memory, or in places of their own.
+fn wrinkled(alike: bool) -> raggio_shading::Pigment {
+    let wrinkles = || {
+        let map = vec![(0.0, Color::BLACK), (1.0, Color::WHITE)];
+        let pattern = pattern(PatternKind::Wrinkles, doubled());
+        let kind = scene::PigmentKind::ColorMap { pattern, map: map.into() };
+        Arc::new(Pigment { kind, quick_color: None })
+    };
+    let first = wrinkles();
+    let again = || if alike { first.clone() } else { wrinkles() };
+    let map = vec![(0.1, again()), (0.5, Arc::new(Pigment::solid(glass()))), (0.9, again())];
+    let pattern = pattern(PatternKind::Pigment(again()), Vec::new());
+    let kind = scene::PigmentKind::PigmentMap { pattern, map };
+    raggio_shading::Pigment::compile(&Pigment { kind, quick_color: None }, Noise::default())
+}
+
+#[test]
+fn a_pigment_used_twice_gives_what_two_pigments_give() {
+    let (one, two) = (wrinkled(true), wrinkled(false));
+    for i in 0..100 {
+        let p = Vec3::new(0.1 * f64::from(i / 2), 3.0, 0.7);
+        assert_eq!(one.eval(p, &Context::NONE), two.eval(p, &Context::NONE), "{p}");
+    }
+}

@@ -12,6 +12,8 @@ use crate::shape_pool::uniform_scale;
 use crate::texturing::PartUses;
 use crate::{LocalHit, Surface};
 
+mod reach;
+
 /// Blobs report no hit nearer than this, in the world.
 const LEAST: f64 = 1e-2;
 /// Field values this little below the threshold count as inside.
@@ -22,6 +24,21 @@ pub(crate) struct Blob {
     threshold: f64,
     elements: Vec<Element>,
     parts: Parts,
+    /// Around the surface.
+    bounds: Aabb,
+    /// So long are the parts of a ray that are searched one after another.
+    stretch: f64,
+}
+
+/// Blobs of so many components are searched at once.
+const FEW: usize = 16;
+/// Parts of a ray are as long as this share of the blob.
+const STRETCH: f64 = 0.1;
+
+/// The box around all that the components of a blob act in.
+pub(crate) fn acting(blob: &raggio_scene::Blob) -> Aabb {
+    let boxes = blob.components.iter().map(|c| Element::new(c, &Affine::IDENTITY).bounds());
+    boxes.filter(|b| !b.is_empty()).fold(Aabb::EMPTY, |all, b| all.union(&b))
 }
 
 /// A component.
@@ -129,9 +146,10 @@ impl Element {
         }
     }
 
-    /// The spans in `range` on the ray that reach into what is `wanted`.
+    /// Adds the spans on the ray that reach into what is `wanted`; answers what the component comes to at most there.
     #[inline]
-    fn add_spans(&self, ray: &Ray, range: (f64, f64), wanted: (f64, f64), out: &mut Spans) {
+    fn add_spans(&self, ray: &Ray, wanted: (f64, f64), out: &mut Spans) -> f64 {
+        let range = (f64::NEG_INFINITY, f64::INFINITY);
         let (unit, length) = match &self.form {
             Form::Ball { centre, per_radius2 } => {
                 // Rays come with a direction of unit length.
@@ -156,18 +174,18 @@ impl Element {
         let (base, cap) = (-o.z / d.z, (length - o.z) / d.z);
         let (near, far, first, last) = if d.z > 0.0 { (base, cap, o, end) } else { (cap, base, end, o) };
         let flat = |v: Vec3| Vec3::new(v.x, v.y, 0.0);
-        add_span(first, d, (range.0, range.1.min(near)));
-        add_span(flat(o), flat(d), (range.0.max(near), range.1.min(far)));
-        add_span(last, d, (range.0.max(far), range.1));
+        let before = add_span(first, d, (range.0, near));
+        let beside = add_span(flat(o), flat(d), (near, far));
+        before.max(beside).max(add_span(last, d, (far, range.1)))
     }
 
     /// The span in which `1 - |o + t d|^2` is positive, cut to `range`.
     #[inline]
-    fn add_span(&self, o: Vec3, d: Vec3, range: (f64, f64), wanted: (f64, f64), out: &mut Spans) {
+    fn add_span(&self, o: Vec3, d: Vec3, range: (f64, f64), wanted: (f64, f64), out: &mut Spans) -> f64 {
         let bend = d.length_squared();
         let middle = if bend > 0.0 { -o.dot(d) / bend } else { 0.0 };
         let peak = 1.0 - (o + d * middle).length_squared();
-        self.add_part(middle, bend, peak, range, wanted, out);
+        self.add_part(middle, bend, peak, range, wanted, out)
     }
 
     /// The span in which `peak - bend (t - middle)^2` is positive, cut to `range`.
@@ -180,15 +198,19 @@ impl Element {
         range: (f64, f64),
         wanted: (f64, f64),
         out: &mut Spans,
-    ) {
+    ) -> f64 {
         if peak.is_nan() || peak <= 0.0 {
-            return;
+            return 0.0;
         }
         let reach = (peak / bend).sqrt();
         let (from, to) = (range.0.max(middle - reach), range.1.min(middle + reach));
-        if from < to && to > wanted.0 && from < wanted.1 {
-            out.push(Span { from, to, strength: self.strength, peak, bend, middle });
+        if !(from < to && to > wanted.0 && from < wanted.1) {
+            return 0.0;
         }
+        out.push(Span { from, to, strength: self.strength, peak, bend, middle });
+        let away = middle.max(from.max(wanted.0)).min(to.min(wanted.1)) - middle;
+        let u = peak - bend * away * away;
+        (self.strength * u * u).max(0.0)
     }
 }
 
@@ -214,23 +236,65 @@ impl Blob {
     pub(crate) fn new(blob: &raggio_scene::Blob, world_from_blob: &Affine) -> Self {
         let elements: Vec<_> = blob.components.iter().map(|c| Element::new(c, world_from_blob)).collect();
         let boxes: Vec<_> = elements.iter().map(Element::bounds).collect();
-        Blob { threshold: blob.threshold, elements, parts: Parts::new(&boxes) }
+        let parts = Parts::new(&boxes);
+        let acting = parts.bounds();
+        let stretch = STRETCH * acting.size().length();
+        let mut made = Blob { threshold: blob.threshold, elements, parts, bounds: acting, stretch };
+        made.bounds = made.hull(acting);
+        made
     }
 
-    fn search(&self, ray: &Ray, to: &mut impl Collect) {
-        let mut spans = Spans::new();
+    fn search<C: Collect>(&self, ray: &Ray, to: &mut C) {
         let range = to.range();
-        let whole = (f64::NEG_INFINITY, f64::INFINITY);
-        self.parts.visit_ray(ray, range, |i| {
-            self.elements[i].add_spans(ray, whole, range, &mut spans);
-            range.1
-        });
-        spans.sort_unstable_by(|a, b| a.from.total_cmp(&b.from));
-        self.sweep(&spans, to);
+        // Where only the nearest hit is wanted, most of many components need not be asked.
+        let stretch = if C::ALL || self.elements.len() <= FEW { f64::INFINITY } else { self.stretch };
+        let (mut from, mut spans) = (range.0, Spans::new());
+        loop {
+            let (most, until) = self.gather(ray, (from, range.1), stretch, &mut spans);
+            if most >= self.surely_less() {
+                spans.sort_unstable_by(|a, b| a.from.total_cmp(&b.from));
+                let end = if until < range.1 { until } else { f64::INFINITY };
+                self.sweep(&spans, (from, end), to);
+            }
+            if until >= to.range().1 {
+                return;
+            }
+            from = until;
+            spans.clear();
+        }
     }
 
-    /// Walks from one end of a span to the next, nearest first.
-    fn sweep(&self, spans: &[Span], to: &mut impl Collect) {
+    /// Is it plain that the field is too weak all along a range of the ray?
+    pub(crate) fn plainly_misses(&self, ray: &Ray, range: (f64, f64)) -> bool {
+        self.gather(ray, range, f64::INFINITY, &mut Spans::new()).0 < self.surely_less()
+    }
+
+    /// Nowhere is a point inside, or on the surface, where the field is less than this.
+    fn surely_less(&self) -> f64 {
+        self.threshold - 2.0 * TOLERANCE
+    }
+
+    /// Adds the spans of a ray that reach into a range, which ends sooner where that is longer than a stretch beyond the
+    /// first span. Answers what the field comes to at most there, and where the range ends.
+    #[inline]
+    fn gather(&self, ray: &Ray, range: (f64, f64), stretch: f64, spans: &mut Spans) -> (f64, f64) {
+        let (mut most, mut until) = (0.0, range.1);
+        self.parts.visit_ray(ray, range, |i| {
+            most += self.elements[i].add_spans(ray, (range.0, until), spans);
+            if let Some(first) = spans.first()
+                && until == range.1
+            {
+                let end = first.from.max(range.0) + stretch;
+                // Far away a stretch may be too short to get on.
+                until = if end > range.0 { until.min(end) } else { until };
+            }
+            until
+        });
+        (most, until)
+    }
+
+    /// Walks from one end of a span to the next within a range, nearest first.
+    fn sweep(&self, spans: &[Span], range: (f64, f64), to: &mut impl Collect) {
         let mut active: SmallVec<[Span; 16]> = SmallVec::new();
         let mut waiting = spans.iter().peekable();
         let mut at = f64::NEG_INFINITY;
@@ -242,12 +306,12 @@ impl Blob {
             while let Some(span) = waiting.next_if(|s| s.from <= at) {
                 active.push(*span);
             }
-            let end = active.iter().map(|s| s.to).fold(f64::INFINITY, f64::min);
+            let end = active.iter().map(|s| s.to).fold(range.1, f64::min);
             let end = waiting.peek().map_or(end, |s| end.min(s.from));
-            if end > to.range().0 {
-                self.search_segment(&active, at, end, to);
+            if end > range.0 {
+                self.search_segment(&active, at, end, range.0, to);
             }
-            if end >= to.range().1 {
+            if end >= to.range().1.min(range.1) {
                 return;
             }
             at = end;
@@ -255,13 +319,13 @@ impl Blob {
         }
     }
 
-    fn search_segment(&self, active: &[Span], mut a: f64, b: f64, to: &mut impl Collect) {
+    /// The hits between two ends of spans, from a distance on.
+    fn search_segment(&self, active: &[Span], mut a: f64, b: f64, near: f64, to: &mut impl Collect) {
         let mut sum = [-self.threshold; 5];
         for span in active {
             span.add_to(a, b, &mut sum);
         }
         // A ray that leaves the surface has a root where it starts, which does not count: none is looked for there.
-        let near = to.range().0;
         if a < near && near < b {
             poly::bernstein_from((near - a) / (b - a), &mut sum);
             a = near;
@@ -294,11 +358,15 @@ impl Surface for Blob {
     searched_from!(LEAST);
 
     fn bounds(&self) -> Aabb {
-        self.parts.bounds()
+        self.bounds
     }
 
     fn reach(&self, along: Vec3) -> Option<f64> {
-        Some(self.elements.iter().map(|e| e.reach(along)).fold(f64::NEG_INFINITY, f64::max))
+        if let Some(axis) = (0..3).find(|&k| along.abs() == Vec3::AXES[k]) {
+            return Some(if along[axis] > 0.0 { self.bounds.max[axis] } else { -self.bounds.min[axis] });
+        }
+        let acting = self.elements.iter().map(|e| e.reach(along)).fold(f64::NEG_INFINITY, f64::max);
+        Some(acting.min(self.reach_within(&self.bounds, along)))
     }
 
     fn inside(&self, p: Vec3) -> bool {

@@ -6,6 +6,8 @@ use crate::LocalHit;
 
 /// Takes hits.
 pub(crate) trait Collect {
+    /// Are all hits wanted, not only the nearest?
+    const ALL: bool = false;
     /// Hits are wanted in this open interval; it may shrink with each hit taken.
     fn range(&self) -> (f64, f64);
     /// Takes a hit if it lies in the range.
@@ -30,6 +32,8 @@ pub(crate) struct All<'a> {
 }
 
 impl Collect for All<'_> {
+    const ALL: bool = true;
+
     #[inline]
     fn range(&self) -> (f64, f64) {
         self.range
@@ -125,6 +129,8 @@ pub(crate) struct Offset<'a, C> {
 }
 
 impl<C: Collect> Collect for Offset<'_, C> {
+    const ALL: bool = C::ALL;
+
     #[inline]
     fn range(&self) -> (f64, f64) {
         let range = self.to.range();

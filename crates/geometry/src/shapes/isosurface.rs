@@ -125,9 +125,16 @@ impl Isosurface {
     ) -> f64 {
         let mut search = Search::new(self, ray);
         let way = (enter.max(0.0), leave.min(to.range().1 + self.accuracy));
-        let mut walk = self.field.as_deref().map(|field| Walk::new(field, ray, inverse, way));
+        let mut room;
+        let mut walk = match self.field.as_deref() {
+            Some(field) => {
+                room = Walk::new(field, ray, inverse, way);
+                Some(&mut room)
+            }
+            None => None,
+        };
         let mut left = self.max_trace;
-        let (start, value) = search.start(enter, walk.as_mut());
+        let (start, value) = search.start(enter, walk.as_deref_mut());
         if !self.open && enter > self.accuracy && value.hi < 0.0 {
             self.push_wall(ray, enter, to);
             left = left.saturating_sub(1);
@@ -137,7 +144,7 @@ impl Isosurface {
         let mut ended = false;
         while left > 0 && at.0 < leave && at.0 < to.range().1 {
             search.relax();
-            let Some(t) = search.first_root(at, leave, walk.as_mut()) else {
+            let Some(t) = search.first_root(at, leave, walk.as_deref_mut()) else {
                 ended = true;
                 break;
             };
@@ -246,24 +253,48 @@ mod tests {
         assert!(set == 1.0 && (steepest - 3.0).abs() < 1e-9, "{steepest}");
     }
 
+    /// Rays from around the ball to aims spread over it.
+    fn rays() -> impl Iterator<Item = Ray> {
+        (0..400).map(|i| {
+            let (a, b) = (f64::from(i) * 2.4, f64::from(i) * 0.37);
+            let origin = Vec3::new(a.cos(), (b * 1.7).sin(), a.sin()) * 2.5;
+            let aim = Vec3::new(b.sin(), (a * 0.3).cos(), (b * 0.9).cos()) * 0.7;
+            Ray::new(origin, (aim - origin).normalize())
+        })
+    }
+
+    fn all_hits(surface: &Isosurface, ray: &Ray) -> Vec<LocalHit> {
+        let mut out = Vec::new();
+        surface.hits(ray, (0.0, f64::INFINITY), &mut out);
+        out
+    }
+
+    #[test]
+    fn what_is_learnt_late_changes_nothing() {
+        // The steepest slope is about 1.9.
+        for accuracy in [0.001, 0.1] {
+            let surface =
+                Isosurface::new(&raggio_scene::Isosurface { accuracy, ..rock() }, &Affine::IDENTITY);
+            let boxes = || surface.field.as_ref().map_or(0, |field| field.root().count());
+            let early: Vec<_> = rays().map(|ray| all_hits(&surface, &ray)).collect();
+            let known_early = boxes();
+            for _ in 0..40 {
+                for (ray, hits) in rays().zip(&early) {
+                    assert_eq!(all_hits(&surface, &ray), *hits);
+                }
+            }
+            assert!(boxes() > known_early, "no box was cut late");
+        }
+    }
+
     #[test]
     fn what_is_known_of_the_function_changes_no_hit() {
         let known = Isosurface::new(&rock(), &Affine::IDENTITY);
         assert!(known.field.is_some());
         let unknown = Isosurface { field: None, ..known.clone() };
         let (mut hits, mut differing) = (0, 0);
-        for i in 0..400 {
-            // Points around the ball, and aims spread over it.
-            let (a, b) = (f64::from(i) * 2.4, f64::from(i) * 0.37);
-            let origin = Vec3::new(a.cos(), (b * 1.7).sin(), a.sin()) * 2.5;
-            let aim = Vec3::new(b.sin(), (a * 0.3).cos(), (b * 0.9).cos()) * 0.7;
-            let ray = Ray::new(origin, (aim - origin).normalize());
-            let all = |surface: &Isosurface| {
-                let mut out = Vec::new();
-                surface.hits(&ray, (0.0, f64::INFINITY), &mut out);
-                out
-            };
-            let (found, expected) = (all(&known), all(&unknown));
+        for (i, ray) in rays().enumerate() {
+            let (found, expected) = (all_hits(&known, &ray), all_hits(&unknown, &ray));
             assert_eq!(found.len(), expected.len(), "ray {i}");
             for (f, e) in found.iter().zip(&expected) {
                 // A search that begins a little below zero may end one step sooner or later.

@@ -45,6 +45,7 @@ use crate::shape_pool::uniform_scale;
 use crate::texturing::PartUses;
 use crate::{BuildError, LocalHit, Surface};
 
+pub(crate) use blob::acting;
 pub(crate) use box_::{AxisRay, Cuboid};
 pub(crate) use cone::Cone;
 pub(crate) use disc::Disc;
@@ -375,6 +376,21 @@ impl ShapeKind {
         )
     }
 
+    /// Does it know of [`ShapeKind::plainly_misses`]?
+    pub(crate) fn tells_misses(&self) -> bool {
+        matches!(self, ShapeKind::Blob(_))
+    }
+
+    /// Is it plain that a ray is nowhere inside, nor meets the surface, within a range? Asked only where that is much
+    /// quicker than a search.
+    #[inline]
+    pub(crate) fn plainly_misses(&self, ray: &Ray, range: (f64, f64)) -> bool {
+        match self {
+            ShapeKind::Blob(blob) => blob.plainly_misses(ray, range),
+            _ => false,
+        }
+    }
+
     /// Roughly what questions cost, for their order: 0 for a plane, more for what takes iterations.
     pub(crate) fn cost(&self) -> u32 {
         match self {
@@ -395,6 +411,11 @@ impl ShapeKind {
             ShapeKind::Cone(s) => s.misses(hull) || apart(&s.bounds(), hull),
             other => apart(&other.bounds(), hull),
         }
+    }
+
+    /// Is it plain that neither surface nor inside reach into the hull of some points?
+    pub(crate) fn lacks(&self, hull: &[Vec3; 8]) -> bool {
+        self.is_solid() && apart(&self.bounds().union(&self.inside_bounds()), hull)
     }
 
     /// The textures at a point of a surface whose parts have textures of their own: numbers of the scene's data and

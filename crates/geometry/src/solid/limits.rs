@@ -18,6 +18,9 @@ pub(super) enum First {
     },
 }
 
+/// So often the search for the end of a way may begin again.
+const MOST_WAYS: usize = 4;
+
 /// The first way through, as far as it is known.
 struct Way {
     enter: End,
@@ -41,7 +44,7 @@ impl Way {
     fn begin_at(&mut self, end: End) {
         if end.t > self.enter.t {
             (self.rival_enter, self.enter) = (self.enter.t, end);
-        } else if end.t > self.rival_enter {
+        } else if end.t > self.rival_enter && end.part != self.enter.part {
             self.rival_enter = end.t;
         }
     }
@@ -71,11 +74,18 @@ impl Way {
             self.cut |= self.end_at(enter);
             return true;
         }
-        let covered = enter.t < start - close && leave.t > start + close;
+        // Where the way begins just where this ends, another that covers both may yet make it clear.
+        let covered = enter.t < start - close && (leave.t > start + close || self.enter.t > from);
         if covered {
             self.begin_at(leave);
         }
         covered
+    }
+
+    /// Does it begin beyond an end that was found when it began sooner?
+    #[inline(always)]
+    fn is_outdated(&self) -> bool {
+        self.cut && self.leave.t < self.enter.t - margin(self.enter.t)
     }
 
     #[inline(always)]
@@ -105,31 +115,58 @@ impl Solid {
     /// The first hit, for combinations whose parts all limit the others.
     #[inline(always)]
     pub(super) fn first(&self, ray: &Ray, range: (f64, f64)) -> First {
-        let end = |t: f64, part: u32| End { t, part };
+        let nobody = |t: f64| End { t, part: Way::NOBODY };
         let mut way = Way {
-            enter: end(f64::NEG_INFINITY, Way::NOBODY),
+            enter: nobody(f64::NEG_INFINITY),
             rival_enter: f64::NEG_INFINITY,
-            leave: end(f64::INFINITY, Way::NOBODY),
+            leave: nobody(f64::INFINITY),
             rival_leave: f64::INFINITY,
             cut: false,
         };
         let mut ready = Ready::new();
+        let told = self.narrow(ray, range, &mut ready, &mut way);
+        if told.is_none() && way.is_outdated() {
+            return self.first_again(ray, range, &mut ready, &mut way);
+        }
+        told.unwrap_or_else(|| way.first(range))
+    }
+
+    /// Looks for the end of a way of which only the beginning is known so far.
+    #[inline(never)]
+    fn first_again(&self, ray: &Ray, range: (f64, f64), ready: &mut Ready, way: &mut Way) -> First {
+        for _ in 0..MOST_WAYS {
+            way.leave = End { t: f64::INFINITY, part: Way::NOBODY };
+            (way.rival_leave, way.cut) = (f64::INFINITY, false);
+            if let Some(told) = self.narrow(ray, range, ready, way) {
+                return told;
+            }
+            if !way.is_outdated() {
+                return way.first(range);
+            }
+        }
+        First::Unclear
+    }
+
+    /// Takes from a way what the parts do not let through; answers at once if nothing is left, or it is not clear what.
+    #[inline(always)]
+    fn narrow(&self, ray: &Ray, range: (f64, f64), ready: &mut Ready, way: &mut Way) -> Option<First> {
+        let end = |t: f64, part: u32| End { t, part };
         for (i, part) in (0u32..).zip(&self.parts) {
-            let stretch = part.body.stretch(ray, &mut ready);
+            let stretch = part.body.stretch(ray, ready);
             let (enter, leave) = (end(stretch.enter, i), end(stretch.leave, i));
             if part.holds == stretch.beyond {
                 if !way.without(enter, leave, range) {
-                    return First::Unclear;
+                    return Some(First::Unclear);
                 }
                 continue;
             }
             if stretch.enter >= range.1 || stretch.leave <= range.0 {
-                return First::Nothing;
+                return Some(First::Nothing);
             }
             way.begin_at(enter);
             // Nothing follows on the end of what holds.
             way.cut &= !way.end_at(leave);
         }
-        way.first(range)
+        None
     }
 }

@@ -11,9 +11,22 @@ pub struct Fog {
     kind: FogKind,
     color: Color,
     distance: f64,
-    turbulence: Option<(Turbulence, f64)>,
+    turbulence: Option<Rough>,
     generator: u8,
 }
+
+/// What makes fog uneven.
+struct Rough {
+    turbulence: Turbulence,
+    depth: f64,
+    /// More than turbulence times depth ever is.
+    most: f64,
+}
+
+/// A part of the way that makes less of a difference than colours can show.
+const UNSEEN: f64 = 1e-9;
+/// No octave of turbulence is larger before it is weighted.
+const MOST_OCTAVE: f64 = 1.5;
 
 impl Fog {
     /// `None` where the distance is zero, which switches fog off.
@@ -28,7 +41,10 @@ impl Fog {
             kind,
             color: fog.color,
             distance: fog.distance,
-            turbulence: fog.turbulence.filter(|t| t.amount != Vec3::ZERO).map(|t| (t, fog.turb_depth)),
+            turbulence: fog
+                .turbulence
+                .filter(|t| t.amount != Vec3::ZERO)
+                .map(|t| Rough::new(t, fog.turb_depth)),
             generator: noise.generator,
         })
     }
@@ -43,10 +59,12 @@ impl Fog {
             }
         };
         let mut way = depth;
-        if let Some((t, turb_depth)) = &self.turbulence {
-            let p = ray.at(depth / 2.0) * t.amount;
-            let rough = noise::turbulence(self.generator, p, t.octaves, t.omega, t.lambda) * turb_depth;
-            way *= 1.0 - (-depth / self.distance).exp() * rough.min(1.0);
+        if let Some(rough) = &self.turbulence {
+            let share = (-depth / self.distance).exp();
+            // Over long ways turbulence changes nothing.
+            if share * rough.most > UNSEEN {
+                way *= 1.0 - share * rough.at(self.generator, ray.at(depth / 2.0)).min(1.0);
+            }
         }
         ((-way * density / self.distance).exp() as f32).max(self.color.transmit)
     }
@@ -54,6 +72,19 @@ impl Fog {
     /// What passes, per channel.
     fn filter(&self, clear: f32) -> Rgb {
         (Rgb::splat(1.0 - self.color.filter) + self.color.rgb * self.color.filter) * clear
+    }
+}
+
+impl Rough {
+    fn new(turbulence: Turbulence, depth: f64) -> Rough {
+        let omega = f64::from(turbulence.omega).abs();
+        let octaves: f64 = (0..turbulence.octaves as i32).map(|k| omega.powi(k)).sum();
+        Rough { turbulence, depth, most: MOST_OCTAVE * octaves * depth.abs() }
+    }
+
+    fn at(&self, generator: u8, p: Vec3) -> f64 {
+        let t = &self.turbulence;
+        noise::turbulence(generator, p * t.amount, t.octaves, t.omega, t.lambda) * self.depth
     }
 }
 
@@ -106,6 +137,20 @@ mod tests {
         let a = (-0.5f32).exp();
         assert!((seen.rgb() - (Rgb::new(0.5, 0.25, 1.0) * (1.0 - a) + Rgb::splat(a))).length() < 1e-6);
         assert!((seen.transmit() - a).abs() < 1e-6);
+    }
+
+    #[test]
+    fn turbulence_counts_until_it_cannot_be_seen() {
+        let even = fog(FogKind::Constant);
+        let turbulence = Turbulence { amount: Vec3::ONE, ..Turbulence::default() };
+        let rough = Fog { turbulence: Some(Rough::new(turbulence, 0.5)), ..fog(FogKind::Constant) };
+        let clear =
+            |fog: &Fog, depth: f64| fog.clearness(&Ray::new(Vec3::new(0.3, 0.7, 0.1), Vec3::Z), depth);
+        assert!((clear(&rough, 5.0) - clear(&even, 5.0)).abs() > 1e-3);
+        let limit = 10.0 * (1.5 * 0.5 * 2.0 / UNSEEN).ln();
+        for depth in [0.8 * limit, 0.9 * limit, 0.99 * limit, 1.01 * limit] {
+            assert!((clear(&rough, depth) - clear(&even, depth)).abs() < 1e-7, "{depth}");
+        }
     }
 
     #[test]

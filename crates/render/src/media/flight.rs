@@ -39,7 +39,7 @@ impl Tracer<'_> {
         };
         let stored = media.iter().any(|m| m.scattering.is_some()) && media.iter().any(|m| m.collect);
         let intervals = intervals(&pieces(&ranges(world, beam.ray, depth, lights), depth), leader);
-        let along = Along::new(media, leader, *beam.ray, beam.interiors);
+        let along = Along::new(media, leader, *beam.ray, depth, beam.interiors);
         for interval in &intervals {
             let wanted = (interval.length / steps.spacing).floor();
             let count = wanted.clamp(0.0, f64::from(steps.most));

@@ -2,10 +2,12 @@
 use raggio_geometry::InteriorId;
 use raggio_image::Rgb;
 use raggio_math::{Ray, Vec3};
+use raggio_shading::Context;
 use smallvec::SmallVec;
 
 use super::lit::{LitRanges, Range};
 use super::phase::phase;
+use super::reach::Reach;
 use super::{Joined, Medium, exp};
 use crate::integrator::Tracer;
 
@@ -16,12 +18,15 @@ pub(super) struct Along<'a> {
     /// The smallest threshold of all media.
     pub aa_threshold: f32,
     pub ray: Ray,
+    context: Context,
     pub lights: LitRanges,
     pub interiors: &'a [InteriorId],
     /// Only dimming counts.
     pub shadow: bool,
     /// What all media together are, where that is the same everywhere.
     pub even: Option<Stuff>,
+    /// Where each medium can be anything at all; empty where they may be everywhere.
+    reaches: SmallVec<[Reach; 4]>,
 }
 
 /// What all media together are at a point, before any light.
@@ -33,24 +38,73 @@ pub(super) struct Stuff {
 }
 
 impl<'a> Along<'a> {
-    /// A segment of a ray through some media of which one leads. Only dimming counts, and no lights.
-    pub(super) fn new(media: Joined<'a>, leader: &'a Medium, ray: Ray, interiors: &'a [InteriorId]) -> Self {
+    /// A segment of a ray, of a length, through some media of which one leads. Only dimming counts, and no lights.
+    pub(super) fn new(
+        media: Joined<'a>,
+        leader: &'a Medium,
+        ray: Ray,
+        depth: f64,
+        interiors: &'a [InteriorId],
+    ) -> Self {
         let aa_threshold = media.iter().map(|m| m.sampling.aa_threshold).fold(f32::INFINITY, f32::min);
-        let even = Stuff::sum(&media, |medium| medium.even);
-        Along { media, leader, aa_threshold, ray, lights: LitRanges::new(), interiors, shadow: true, even }
+        let even = Stuff::even(&media);
+        let bounded = media.iter().any(|medium| !medium.shells.is_empty());
+        let reach = |medium: &&Medium| Reach::of(&medium.shells, &ray, depth);
+        let reaches = if bounded { media.iter().map(reach).collect() } else { SmallVec::new() };
+        let context = Context { ray_dir: ray.dir, ..Context::NONE };
+        let lights = LitRanges::new();
+        Along { media, leader, aa_threshold, ray, context, lights, interiors, shadow: true, even, reaches }
+    }
+
+    /// The same with light that it sends, and that of lights scattered in it.
+    pub(super) fn lit_by(self, lights: LitRanges) -> Self {
+        Along { lights, shadow: false, ..self }
+    }
+
+    /// What all media together are at distance `t`, at a point.
+    #[inline]
+    fn stuff(&self, t: f64, p: Vec3) -> Stuff {
+        self.even.unwrap_or_else(|| {
+            let mut sum = Stuff::default();
+            self.each_density(t, p, |medium, density| sum.add(medium, density));
+            sum
+        })
+    }
+
+    /// How they dim light there.
+    #[inline]
+    fn dim(&self, t: f64, p: Vec3) -> Rgb {
+        let mut sum = Rgb::ZERO;
+        self.each_density(t, p, |medium, density| sum += density * medium.extinction);
+        sum
+    }
+
+    #[inline(always)]
+    fn each_density(&self, t: f64, p: Vec3, mut tell: impl FnMut(&Medium, Rgb)) {
+        for (i, medium) in self.media.iter().enumerate() {
+            if self.reaches.get(i).is_none_or(|reach| reach.contains(t)) {
+                tell(medium, medium.density(p, &self.context));
+            }
+        }
     }
 }
 
 impl Stuff {
-    /// The sum over media, if every density is known.
+    /// Adds a medium of a density.
     #[inline]
-    fn sum(media: &Joined<'_>, density: impl Fn(&Medium) -> Option<Rgb>) -> Option<Stuff> {
+    fn add(&mut self, medium: &Medium, density: Rgb) {
+        self.dim += density * medium.extinction;
+        self.glow += density * medium.emission;
+        if let Some(scattering) = &medium.scattering {
+            self.scattered += density * scattering.color;
+        }
+    }
+
+    /// The sum over media that are the same everywhere, if all are.
+    fn even(media: &Joined<'_>) -> Option<Stuff> {
         let mut sum = Stuff::default();
         for medium in media {
-            let density = density(medium)?;
-            sum.dim += density * medium.extinction;
-            sum.glow += density * medium.emission;
-            sum.scattered += medium.scattering.map_or(Rgb::ZERO, |s| density * s.color);
+            sum.add(medium, medium.even?);
         }
         Some(sum)
     }
@@ -140,9 +194,8 @@ impl Tracer<'_> {
         let length = interval.length as f32;
         let mut dim = |d: f64, width: f64| {
             let d = d + width * sampling.jitter * (self.streams.numbers().media.next() - 0.5);
-            let p = along.ray.at(interval.start + d * interval.length);
-            let dims = along.media.iter().map(|medium| medium.density(p, along.ray.dir) * medium.extinction);
-            dims.fold(Rgb::ZERO, |sum, dim| sum + dim) * length
+            let t = interval.start + d * interval.length;
+            along.dim(t, along.ray.at(t)) * length
         };
         let mut before = dim(0.0, step);
         let mut depth = Rgb::ZERO;
@@ -247,8 +300,7 @@ impl Tracer<'_> {
     /// What all media together do at distance `t`.
     pub(super) fn medium_at(&mut self, along: &Along<'_>, t: f64, lit: bool) -> Sample {
         let p = along.ray.at(t);
-        let here = || Stuff::sum(&along.media, |medium| Some(medium.density(p, along.ray.dir)));
-        let Stuff { mut glow, dim, scattered } = along.even.or_else(here).unwrap_or_default();
+        let Stuff { mut glow, dim, scattered } = along.stuff(t, p);
         if along.shadow {
             return Sample { glow: Rgb::ZERO, dim };
         }

@@ -4,6 +4,7 @@ mod flight;
 mod integrate;
 mod lit;
 mod phase;
+mod reach;
 
 use raggio_geometry::InteriorId;
 use raggio_image::{Rgb, grey};
@@ -17,6 +18,7 @@ use crate::sampling::chi_square_quantile;
 pub use flight::Steps;
 use integrate::{Along, intervals};
 use lit::{Range, pieces, ranges};
+use reach::Shell;
 
 /// The media of one interior or of empty space, compiled.
 #[derive(Default)]
@@ -32,6 +34,8 @@ pub struct Medium {
     scattering: Option<Scattering>,
     /// Each with the way from the world into its own coordinates, unless they are the world's.
     densities: Vec<(Pigment, Option<Affine>)>,
+    /// Outside of any of them the density is nothing.
+    shells: Vec<Shell>,
     /// The density, where it is the same everywhere.
     even: Option<Rgb>,
     /// Do photons count in it?
@@ -84,11 +88,13 @@ impl Medium {
         // Where a density is nothing, those after it are not asked: the cheap ones go first.
         let mut written: Vec<_> = media.densities.iter().collect();
         written.sort_by_key(|density| effort(&density.item.0));
+        let mut shells = Vec::new();
         let densities: Vec<_> = written
             .into_iter()
             .map(|density| {
                 let world_from_density = *world_from_media * density.parent_from_item();
                 let density_from_world = world_from_density.inverse();
+                shells.extend(Shell::of(&density.item.0, &density_from_world));
                 let moved = density_from_world != Affine::IDENTITY;
                 (Pigment::compile(&density.item.0, noise), moved.then_some(density_from_world))
             })
@@ -99,6 +105,7 @@ impl Medium {
             emission: media.emission,
             extinction: media.absorption + scattered,
             scattering: media.scattering,
+            shells,
             even,
             densities,
             collect: media.collect,
@@ -113,15 +120,14 @@ impl Medium {
 
     /// The density at a point of the world.
     #[inline]
-    fn density(&self, p: Vec3, ray_dir: Vec3) -> Rgb {
+    fn density(&self, p: Vec3, context: &Context) -> Rgb {
         if let Some(density) = self.even {
             return density;
         }
-        let context = Context { ray_dir, ..Context::NONE };
         let mut product = Rgb::ONE;
         for (pigment, density_from_world) in &self.densities {
             let p = density_from_world.map_or(p, |way| way.transform_point3(p));
-            product *= pigment.rgb(p, &context);
+            product *= pigment.rgb(p, context);
             if product == Rgb::ZERO {
                 break;
             }
@@ -217,7 +223,7 @@ impl Tracer<'_> {
         let Some(leader) = leader(&media) else { return };
         let lights = ranges(self.world, beam.ray, depth, lights);
         let intervals = intervals(&pieces(&lights, depth), leader);
-        let along = Along { lights, shadow: false, ..Along::new(media, leader, *beam.ray, beam.interiors) };
+        let along = Along::new(media, leader, *beam.ray, depth, beam.interiors).lit_by(lights);
         let (glow, depth) = self.integrate(&along, intervals);
         let left = exp(-depth);
         *seen = Seen::new(seen.rgb() * left + glow, seen.transmit() * grey(left));
@@ -247,7 +253,7 @@ impl Tracer<'_> {
             return Rgb::ONE;
         }
         let whole: Range = (0.0, depth);
-        let along = Along::new(media, leader, *ray, &[]);
+        let along = Along::new(media, leader, *ray, depth, &[]);
         let intervals = intervals(&[(whole, false)], leader);
         exp(-self.optical_depth(&along, intervals))
     }

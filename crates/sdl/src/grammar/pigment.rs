@@ -41,6 +41,8 @@ pub struct Draft {
     fill: Fill,
     quick_color: Option<Color>,
     uv: bool,
+    /// What it still is: a finished pigment that nothing has been added to.
+    whole: Option<Arc<Pigment>>,
 }
 
 impl Draft {
@@ -57,16 +59,20 @@ impl Draft {
             }
             PigmentKind::Uv(inner) => (pattern::Draft::default(), Fill::OnUv(inner.clone())),
         };
-        Draft { flavour, pattern, fill, quick_color: base.quick_color, uv: false }
+        Draft { flavour, pattern, fill, quick_color: base.quick_color, uv: false, whole: None }
     }
 
     /// Values run up and jump back, whatever the pattern's custom is.
     pub fn use_ramp(&mut self) {
         self.pattern.wave = Wave::Ramp;
+        self.whole = None;
     }
 
     /// The finished pigment.
     pub fn finish(self, p: &mut Parser) -> Result<Arc<Pigment>> {
+        if let (Some(whole), false) = (&self.whole, self.uv) {
+            return Ok(whole.clone());
+        }
         let (uv, quick_color) = (self.uv, self.quick_color);
         let kind = self.finished_kind(p)?;
         let uv = uv && !matches!(kind, PigmentKind::Uv(_));
@@ -126,6 +132,7 @@ pub fn density(p: &mut Parser) -> Result<Density> {
 
 /// One item of a pigment.
 pub fn item(p: &mut Parser, draft: &mut Draft) -> Result<bool> {
+    draft.whole = None;
     if at_color(p)? {
         draft.fill = Fill::Solid(color(p)?);
         draft.pattern.kind = None;
@@ -135,6 +142,7 @@ pub fn item(p: &mut Parser, draft: &mut Draft) -> Result<bool> {
         Tok::Value(Kind::Pigment) if draft.flavour == Flavour::Pigment => {
             let base = take!(p, Pigment);
             *draft = Draft { uv: draft.uv, ..Draft::new(&base, draft.flavour) };
+            draft.whole = Some(base);
             return Ok(true);
         }
         Tok::Value(Kind::Density) if draft.flavour == Flavour::Density => {

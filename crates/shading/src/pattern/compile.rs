@@ -25,6 +25,15 @@ impl Compiler {
         }
     }
 
+    /// One whose value nobody asks: it only moves the point.
+    pub(crate) fn mover(&mut self, pattern: &scene::Pattern) -> Pattern {
+        Pattern {
+            kind: Kind::Zero,
+            warps: WarpList::compile(acting_warps(pattern)),
+            wave: Waveform::of(pattern),
+        }
+    }
+
     fn kind(&mut self, pattern: &scene::Pattern) -> Kind {
         let noise = self.generator(pattern);
         let turbulence = own_turbulence(pattern);

@@ -7,9 +7,9 @@ mod complex;
 mod crackle;
 mod crackle_bounds;
 mod density;
+mod few;
 mod fractal;
 mod geometric;
-mod known;
 mod noisy;
 mod pavement;
 mod ripples;
@@ -30,6 +30,7 @@ use raggio_scene as scene;
 
 use crate::compiler::Compiler;
 use crate::image::Image;
+use crate::pigment::Effort;
 use crate::warp::WarpList;
 use crate::{Context, Noise, Pigment};
 
@@ -198,10 +199,11 @@ impl Pattern {
         match &self.kind {
             Kind::Bozo { noise } => values = noise4(*noise, points),
             Kind::Fractal(settings) => values = fractal::values(settings, points),
+            Kind::Crackle(crackle) => values = crackle.value4(points),
             Kind::Granite { noise } => values = noisy::granite4(points, *noise),
             Kind::Wrinkles { noise } => values = noisy::wrinkles4(points, *noise),
             Kind::Pigment(pigment) => {
-                values = each(&pigment.sample4(points, context), |(color, _)| f64::from(grey(color.rgb)));
+                values = each(&pigment.ask4(points, context), |(color, _)| f64::from(grey(color.rgb)));
             }
             kind => {
                 for (value, p) in values.iter_mut().zip(points) {
@@ -221,6 +223,27 @@ impl Pattern {
             return Bounds::UNKNOWN;
         };
         self.wave.enclose(crackle.enclose(&p))
+    }
+
+    /// What it takes to find the value.
+    pub(crate) fn effort(&self) -> Effort {
+        let long = match &self.kind {
+            Kind::Pigment(pigment) => {
+                let Effort { local, long } = pigment.effort();
+                return Effort { local, long: long || self.warps.are_turbulent() };
+            }
+            Kind::Aoi | Kind::Slope(_) => return Effort { local: false, long: false },
+            Kind::Agate { .. }
+            | Kind::Crackle(_)
+            | Kind::Fractal(_)
+            | Kind::Function(_)
+            | Kind::Granite { .. }
+            | Kind::Spiral1 { .. }
+            | Kind::Spiral2 { .. }
+            | Kind::Wrinkles { .. } => true,
+            _ => self.warps.are_turbulent(),
+        };
+        Effort { local: true, long }
     }
 
     /// The warps, for normals on their way in and out.
@@ -264,7 +287,7 @@ impl Kind {
             Kind::Object(object) => f64::from(object.0.inside(p)),
             Kind::Onion => fraction(p.length()),
             Kind::Pavement(pavement) => pavement.value(p.x, p.z),
-            Kind::Pigment(pigment) => f64::from(grey(pigment.sample(p, context).0.rgb)),
+            Kind::Pigment(pigment) => f64::from(grey(pigment.ask(p, context).0.rgb)),
             Kind::Planar => geometric::falling(p.y.abs()),
             Kind::Quilted { controls } => geometric::quilted(p, *controls),
             Kind::Radial => geometric::radial(p),

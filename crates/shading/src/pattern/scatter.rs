@@ -81,10 +81,14 @@ impl Around {
         (0..27).map(move |i| q - Vec3::new(self.x[i], self.y[i], self.z[i]))
     }
 
+    /// The point at a place.
+    pub fn point(&self, i: usize) -> Vec3 {
+        Vec3::new(self.x[i], self.y[i], self.z[i])
+    }
+
     /// The point with the least number, the first of several.
     pub fn point_of(&self, least: f64, all: &Each) -> Vec3 {
-        let i = all.iter().position(|&v| v == least).unwrap_or(0);
-        Vec3::new(self.x[i], self.y[i], self.z[i])
+        self.point(all.iter().position(|&v| v == least).unwrap_or(0))
     }
 }
 
@@ -113,7 +117,7 @@ pub(super) fn least<const N: usize>(all: &Each) -> [f64; N] {
 
 /// The lower and the higher of two numbers, in the form that compilers make into the two instructions.
 #[inline(always)]
-fn in_order(a: f64, b: f64) -> (f64, f64) {
+pub(super) fn in_order(a: f64, b: f64) -> (f64, f64) {
     (if a < b { a } else { b }, if a > b { a } else { b })
 }
 

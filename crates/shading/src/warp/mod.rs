@@ -34,6 +34,8 @@ struct Normals {
 #[derive(Debug)]
 enum Op {
     Transform(Box<Transform>),
+    /// What a transform that only moves does to the point.
+    Shift(Vec3),
     Turbulence(scene::Turbulence),
     Repeat(Repeat),
     BlackHole(Box<BlackHole>),
@@ -58,13 +60,19 @@ impl WarpList {
                 (op, _) => ops.push(op),
             }
         }
-        WarpList { normals: Normals::of(&ops), ops: ops.into() }
+        let normals = Normals::of(&ops);
+        WarpList { normals, ops: ops.into_iter().map(Op::simplified).collect() }
+    }
+
+    /// Does noise move the point?
+    pub fn are_turbulent(&self) -> bool {
+        self.ops.iter().any(|op| matches!(op, Op::Turbulence(_)))
     }
 
     /// The point that the pattern sees.
     #[inline(always)]
     pub fn apply(&self, p: Vec3) -> Vec3 {
-        self.apply_at(p.x, p.y, p.z)
+        if self.ops.is_empty() { clip(p) } else { self.apply_at(p.x, p.y, p.z) }
     }
 
     /// Coordinates come in registers, where they need not be waited for.
@@ -93,6 +101,7 @@ impl WarpList {
                     |k: usize| m.x_axis[k] * p[0] + m.y_axis[k] * p[1] + m.z_axis[k] * p[2] + translation[k];
                 Some([row(0), row(1), row(2)])
             }
+            [Op::Shift(way)] => Some([p[0] + way.x, p[1] + way.y, p[2] + way.z]),
             _ => None,
         }
     }
@@ -167,10 +176,19 @@ impl Op {
         }
     }
 
+    /// The same with less to do, where there is such.
+    fn simplified(self) -> Op {
+        match self {
+            Op::Transform(t) if t.inverse.matrix3 == Mat3::IDENTITY => Op::Shift(t.inverse.translation),
+            op => op,
+        }
+    }
+
     #[inline]
     fn apply(&self, p: Vec3) -> Vec3 {
         match self {
             Op::Transform(t) => t.inverse.transform_point3(p),
+            Op::Shift(way) => p + *way,
             Op::Turbulence(t) => displace(p, t),
             Op::Repeat(repeat) => repeat.apply(p),
             Op::BlackHole(hole) => hole.apply(p),

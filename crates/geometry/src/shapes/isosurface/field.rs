@@ -4,7 +4,7 @@
 //! without the surface are left out, those where the slopes hardly differ are not cut further. What a box knows does not
 //! depend on who asks, so pictures do not depend on the order of rays.
 use std::collections::HashMap;
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::atomic::{AtomicU32, AtomicU64, Ordering};
 use std::sync::{Arc, LazyLock, Mutex, OnceLock, PoisonError, Weak};
 
 use once_cell::race::OnceBox;
@@ -12,9 +12,14 @@ use raggio_function::{Bounds, Function, Range};
 use raggio_math::{Aabb, Vec3};
 
 use super::super::container;
+use super::search::TELLING;
 
-/// Boxes are cut in two this many times at most.
-pub(super) const MOST_CUTS: u8 = 16;
+/// Boxes are cut in two this many times at most before they are searched.
+const MOST_CUTS: u8 = 16;
+/// Boxes that keep being searched are cut further, up to this many times.
+pub(super) const MOST_LATE_CUTS: u8 = 20;
+/// After how many searches.
+const SEARCHES: u32 = 12;
 /// Where slopes seem steeper than so many times the scene's maximal gradient their bounds are too wide to tell anything
 /// soon, and boxes are cut this many times at most.
 const TOO_STEEP: f64 = 1.5;
@@ -58,12 +63,16 @@ pub(super) struct Cell {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd)]
 #[repr(u8)]
 pub(super) enum Kind {
-    /// It is cut across an axis.
-    CutX,
-    CutY,
-    CutZ,
+    /// It is cut across an axis, which the last two bits tell.
+    CutX = 0,
+    CutY = 1,
+    CutZ = 2,
+    /// The surface may be in it; it is cut once it has often been searched.
+    LateX = 4,
+    LateY = 5,
+    LateZ = 6,
     /// It is not cut, and the surface may be in it.
-    Open,
+    Open = 8,
     /// Not cut; the function is above the threshold, or below it, everywhere in it.
     Above,
     Below,
@@ -76,6 +85,8 @@ struct Known {
     value: Range,
     model: Model,
     bounds: Aabb,
+    /// How often it was searched, about.
+    searches: AtomicU32,
 }
 
 /// Between which linear functions a function stays in a box, less the threshold.
@@ -87,6 +98,8 @@ pub(super) struct Model {
     /// The slopes along the axes: their middles, and how far they are to either side of them.
     slope: Vec3,
     spread: Vec3,
+    /// How far off the value may be anywhere in the box.
+    off: f64,
 }
 
 impl Model {
@@ -103,19 +116,30 @@ impl Model {
         (self.middle + self.slope.dot(d), self.spread.dot(d.abs()))
     }
 
-    /// How much the value changes along a way by the middle of the slopes, and how far that may be off.
+    /// How much the value changes along a way by the middle of the slopes, and how far that may be off, where the way's
+    /// parts have these sizes.
     #[inline(always)]
-    pub(super) fn change(&self, way: Vec3, sign: f64) -> (f64, f64) {
-        (sign * self.slope.dot(way), self.spread.dot(way.abs()))
+    pub(super) fn change(&self, way: Vec3, sizes: Vec3) -> (f64, f64) {
+        (self.slope.dot(way), self.spread.dot(sizes))
     }
 
-    /// What `sign` times the value is not below at a point of the box, and at the end of a way from there, along which
-    /// the middle of the slopes makes it rise by `rise`.
+    /// The value by the middle of the slopes at a point of the box, and how far it is from the centre.
     #[inline(always)]
-    pub(super) fn least(&self, p: Vec3, way: Vec3, sign: f64, rise: f64) -> (f64, f64) {
+    pub(super) fn near(&self, p: Vec3) -> (f64, Vec3) {
         let d = p - self.centre;
-        let middle = sign * (self.middle + self.slope.dot(d));
-        (middle - self.spread.dot(d.abs()), middle + rise - self.spread.dot((d + way).abs()))
+        (self.middle + self.slope.dot(d), d)
+    }
+
+    /// How far off the value may be, so far from the centre.
+    #[inline(always)]
+    pub(super) fn off_at(&self, d: Vec3) -> f64 {
+        self.spread.dot(d.abs())
+    }
+
+    /// How far off the value may be anywhere in the box.
+    #[inline(always)]
+    pub(super) fn off(&self) -> f64 {
+        self.off
     }
 
     /// Where the slope along a direction lies.
@@ -127,8 +151,10 @@ impl Model {
 }
 
 impl Kind {
-    fn cut(axis: usize) -> Kind {
-        [Kind::CutX, Kind::CutY, Kind::CutZ][axis]
+    /// The axis across which a box is or will be cut.
+    #[inline(always)]
+    pub(super) fn axis(self) -> usize {
+        self as usize & 3
     }
 
     fn uncut(value: Range) -> Kind {
@@ -149,6 +175,12 @@ impl Cell {
         self.kind == if sign > 0.0 { Kind::Above } else { Kind::Below }
     }
 
+    /// How many boxes were made of this one, with itself.
+    #[cfg(test)]
+    pub(super) fn count(&self) -> usize {
+        1 + self.halves.get().map_or(0, |halves| halves.iter().map(Cell::count).sum())
+    }
+
     #[inline]
     pub(super) fn model(&self) -> &Model {
         &self.known.model
@@ -157,7 +189,7 @@ impl Cell {
     /// Where the value at a point of the box lies.
     #[inline]
     pub(super) fn value_at(&self, p: Vec3) -> Range {
-        if self.kind != Kind::Open || !self.known.model.is_known() {
+        if self.kind > Kind::Open || !self.known.model.is_known() {
             return self.known.value;
         }
         let (middle, off) = self.known.model.at(p);
@@ -167,12 +199,26 @@ impl Cell {
 
 impl Known {
     /// May smaller boxes tell much more of a function that the scene says to have slopes up to `max_gradient`?
-    fn is_worth_cutting(&self, depth: u8, max_gradient: f64) -> bool {
+    fn is_worth_cutting(&self, depth: u8, most_cuts: u8, max_gradient: f64) -> bool {
         let Model { slope, spread, .. } = self.model;
         let steepest = (slope.abs() + spread).max_element();
         let well_known = self.model.is_known() && 2.0 * spread.element_sum() <= ALIKE * steepest;
-        let most = if steepest <= TOO_STEEP * max_gradient { MOST_CUTS } else { BLIND_CUTS };
+        let most = if steepest <= TOO_STEEP * max_gradient { most_cuts } else { BLIND_CUTS };
         self.value.contains(0.0) && !well_known && depth < most
+    }
+
+    /// How the box is cut, if it is.
+    fn cut(&self, axis: usize, depth: u8, max_gradient: f64) -> Option<Kind> {
+        if self.is_worth_cutting(depth, MOST_CUTS, max_gradient) {
+            return Some([Kind::CutX, Kind::CutY, Kind::CutZ][axis]);
+        }
+        let Model { slope, spread, .. } = self.model;
+        // Only where the first point of a grid below zero is found whatever is known of smaller boxes: else what a ray
+        // meets would depend on the rays before it.
+        let is_certain =
+            (slope.abs() + spread).length() <= max_gradient && spread.length() < TELLING * max_gradient;
+        (is_certain && self.is_worth_cutting(depth, MOST_LATE_CUTS, max_gradient))
+            .then(|| [Kind::LateX, Kind::LateY, Kind::LateZ][axis])
     }
 }
 
@@ -244,22 +290,35 @@ impl Field {
         self.root.get_or_init(|| self.cell(self.bounds, 0))
     }
 
-    /// The halves of a box that is to be cut.
+    /// The halves of a box that is cut.
     #[inline(always)]
-    pub(super) fn halves<'a>(&self, cell: &'a Cell) -> &'a [Cell; 2] {
+    pub(super) fn halves<'a>(&self, cell: &'a Cell) -> Option<&'a [Cell; 2]> {
         match cell.halves.get() {
-            Some(halves) => halves,
-            None => self.cut(cell),
+            None if cell.kind < Kind::LateX => Some(self.cut(cell)),
+            halves => halves,
         }
     }
 
-    /// Cuts a box that no ray has come to before.
+    /// Takes note that the function was searched for roots in a box; cuts it if that is often done.
+    #[inline]
+    pub(super) fn note_search(&self, cell: &Cell) {
+        if cell.kind < Kind::Open {
+            // Threads may lose each other's counts.
+            let searches = cell.known.searches.load(Ordering::Relaxed) + 1;
+            cell.known.searches.store(searches, Ordering::Relaxed);
+            if searches == SEARCHES {
+                self.cut(cell);
+            }
+        }
+    }
+
+    /// Cuts a box.
     #[cold]
     #[inline(never)]
     fn cut<'a>(&self, cell: &'a Cell) -> &'a [Cell; 2] {
         cell.halves.get_or_init(|| {
             let (mut low, mut high) = (cell.known.bounds, cell.known.bounds);
-            let axis = cell.kind as usize;
+            let axis = cell.kind.axis();
             low.max[axis] = cell.plane;
             high.min[axis] = cell.plane;
             Box::new([low, high].map(|bounds| self.cell(bounds, cell.depth + 1)))
@@ -272,11 +331,13 @@ impl Field {
         let found = self.function.enclose(&[variable(0), variable(1), variable(2)]);
         let centre = bounds.centre();
         let half = bounds.size() * 0.5;
+        let spread = Vec3::from(found.slopes.map(|s| 0.5 * s.width()));
         let model = Model {
             centre,
             middle: self.function.eval(&centre.to_array()) - self.threshold,
             slope: Vec3::from(found.slopes.map(Range::middle)),
-            spread: Vec3::from(found.slopes.map(|s| 0.5 * s.width())),
+            spread,
+            off: spread.dot(half),
         };
         let mut value = found.value + Range::one(-self.threshold);
         if !value.is_all() && model.is_known() {
@@ -285,14 +346,13 @@ impl Field {
             value = value.meet(Range::one(model.middle) + Range::within(away));
         }
         self.note_slope(value, &found.slopes);
-        let known = Box::new(Known { value, model, bounds });
-        let axis =
-            axis_to_cut(&found.slopes, half).filter(|_| known.is_worth_cutting(depth, self.max_gradient));
+        let known = Box::new(Known { value, model, bounds, searches: AtomicU32::new(0) });
+        let cut = axis_to_cut(&found.slopes, half).and_then(|axis| known.cut(axis, depth, self.max_gradient));
         Cell {
-            plane: axis.map_or(0.0, |axis| centre[axis]),
+            plane: cut.map_or(0.0, |kind| centre[kind.axis()]),
             halves: OnceBox::new(),
             known,
-            kind: axis.map_or_else(|| Kind::uncut(value), Kind::cut),
+            kind: cut.unwrap_or_else(|| Kind::uncut(value)),
             depth,
         }
     }

@@ -5,7 +5,7 @@
 //! gradient demands. Elsewhere what the bounds prove free of roots is skipped, and where the function falls all the way
 //! the grid point is found by interval Newton steps, so that the place is the one that halving would find.
 use raggio_function::Range;
-use raggio_math::Ray;
+use raggio_math::{Ray, Vec3};
 
 use super::Isosurface;
 use super::field::{Cell, Model};
@@ -13,14 +13,15 @@ use super::grid::{Grid, Sample};
 use super::walk::Walk;
 
 /// Slopes that spread over more than this share of what the maximal gradient allows tell nothing.
-const TELLING: f64 = 0.9;
+pub(super) const TELLING: f64 = 0.9;
 
 /// The function along a ray, above the threshold or, with the sign turned, below it.
 pub(super) struct Search<'a> {
     surface: &'a Isosurface,
     /// In the object's coordinates; its direction is as long as a world unit is there.
     ray: &'a Ray,
-    /// The length of the direction.
+    /// The sizes of the direction's parts, and its length.
+    sizes: Vec3,
     stretch: f64,
     pub sign: f64,
     pub gradient: f64,
@@ -43,7 +44,15 @@ struct Progress {
 impl<'a> Search<'a> {
     pub(super) fn new(surface: &'a Isosurface, ray: &'a Ray) -> Self {
         let stretch = ray.dir.length();
-        Search { surface, ray, stretch, sign: 1.0, gradient: surface.max_gradient, proved: true }
+        Search {
+            surface,
+            ray,
+            sizes: ray.dir.abs(),
+            stretch,
+            sign: 1.0,
+            gradient: surface.max_gradient,
+            proved: true,
+        }
     }
 
     #[inline]
@@ -117,7 +126,7 @@ impl<'a> Search<'a> {
         walk: Option<&mut Walk>,
     ) -> Option<f64> {
         let grid = Grid::new(start, end, self.surface.accuracy);
-        let value = value * self.sign;
+        let value = if self.sign < 0.0 { Range { lo: -value.hi, hi: -value.lo } } else { value };
         let first = (value.lo == value.hi).then_some(Sample { index: 0, t: start, value: value.lo });
         let Some(walk) = walk else {
             let first = first.unwrap_or_else(|| self.sample(&grid, 0));
@@ -134,7 +143,7 @@ impl<'a> Search<'a> {
             // Behind a stretch that is not free the value may be anything.
             let entry = (stretch.0, std::mem::replace(&mut progress.least, f64::NEG_INFINITY));
             if first <= last {
-                let found = self.in_stretch(&grid, (first, last), entry, cell.model(), &mut progress);
+                let found = self.in_stretch(&grid, (first, last), entry, cell, &mut progress);
                 if let Some(index) = found {
                     return Some(grid.at(index));
                 }
@@ -151,20 +160,28 @@ impl<'a> Search<'a> {
             *least = 0.0;
             return true;
         }
-        let way = self.ray.dir * (to - from);
-        let (rise, off) = cell.model().change(way, self.sign);
-        let change = Range { lo: rise - off, hi: rise + off };
-        if *least >= 0.0 && change.lo >= 0.0 {
-            *least += change.lo;
+        let (model, length) = (cell.model(), to - from);
+        let (rise, off) = model.change(self.ray.dir, self.sizes);
+        let rise = self.sign * rise;
+        let slope = Range { lo: rise - off, hi: rise + off };
+        if *least >= 0.0 && slope.lo >= 0.0 {
+            *least += slope.lo * length;
             return true;
         }
-        let ends = cell.model().least(self.ray.at(from), way, self.sign, rise);
-        let entry = greater(ends.0, *least);
-        let exit = greater(ends.1, *least + change.lo);
+        let (entry, from_centre) = model.near(self.ray.at(from));
+        let entry = self.sign * entry;
+        let exit = entry + rise * length;
+        if lesser(entry, exit) >= model.off() {
+            *least = exit - model.off();
+            return true;
+        }
+        let entry = entry - model.off_at(from_centre);
+        let exit = exit - model.off_at(from_centre + self.ray.dir * length);
         // Between the ends what the model allows is not less than at one of them.
-        let is_free = entry >= 0.0
-            && exit >= 0.0
-            && ((ends.0 >= 0.0 && ends.1 >= 0.0) || lowest(entry, exit, 1.0, change) >= 0.0);
+        let is_convex = entry >= 0.0 && exit >= 0.0;
+        let entry = greater(entry, *least);
+        let exit = greater(exit, *least + slope.lo * length);
+        let is_free = entry >= 0.0 && exit >= 0.0 && (is_convex || lowest(entry, exit, length, slope) >= 0.0);
         if is_free {
             *least = exit;
         }
@@ -179,9 +196,10 @@ impl<'a> Search<'a> {
         grid: &Grid,
         (first, last): (i64, i64),
         entry: (f64, f64),
-        model: &Model,
+        cell: &Cell,
         progress: &mut Progress,
     ) -> Option<i64> {
+        let model = cell.model();
         let ends = model.is_known().then(|| (self.known(grid, first, model), self.known(grid, last, model)));
         let slope = model.along(self.ray.dir * self.sign);
         if let Some((a, b)) = ends.filter(|_| slope.hi <= 0.0) {
@@ -203,6 +221,9 @@ impl<'a> Search<'a> {
             return Some(found);
         }
         (progress.done, progress.unknown_from) = (last, last);
+        if let Some(field) = &self.surface.field {
+            field.note_search(cell);
+        }
         let least = a.value.lo.max(entry.1 + slope.lo * (a.t - entry.0));
         self.bent(grid, Known { value: Range { lo: least, ..a.value }, ..a }, b, slope)
     }
@@ -335,6 +356,12 @@ struct Known {
 #[inline(always)]
 fn greater(a: f64, b: f64) -> f64 {
     if a > b { a } else { b }
+}
+
+/// The lesser of two numbers.
+#[inline(always)]
+fn lesser(a: f64, b: f64) -> f64 {
+    if a < b { a } else { b }
 }
 
 /// The least value that a function with slopes in a range can have on a way between two values.

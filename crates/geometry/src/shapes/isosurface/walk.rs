@@ -1,19 +1,32 @@
 //! A ray's way through the boxes of a field.
 use raggio_math::{Ray, Vec3};
 
-use super::field::{Cell, Field, Kind, MOST_CUTS};
+use super::field::{Cell, Field, Kind, MOST_LATE_CUTS};
 
 /// Room for as many boxes as can wait.
-const ROOM: usize = MOST_CUTS as usize + 2;
+const ROOM: usize = MOST_LATE_CUTS as usize + 2;
+
+/// A ray along one axis.
+#[derive(Clone, Copy)]
+struct AxisRay {
+    origin: f64,
+    inverse: f64,
+    /// Which half of a box comes first: the upper one where the ray goes backwards.
+    near: usize,
+}
+
+impl AxisRay {
+    #[inline(always)]
+    fn new(origin: f64, along: f64, inverse: f64) -> Self {
+        AxisRay { origin, inverse, near: usize::from(along.is_sign_negative()) }
+    }
+}
 
 /// A ray's way through the boxes that are not cut, in their order.
 pub(super) struct Walk<'a> {
     field: &'a Field,
-    /// By axis; the fourth is none.
-    origin: [f64; 4],
-    inverse: [f64; 4],
-    /// Bits of the axes along which the ray goes backwards: there the upper half of a box comes first.
-    backwards: usize,
+    /// The fourth is none.
+    axes: [AxisRay; 4],
     /// Where the ray goes on, and where its way ends.
     at: f64,
     end: f64,
@@ -28,22 +41,17 @@ pub(super) struct Walk<'a> {
 
 impl<'a> Walk<'a> {
     /// The way of a ray, whose direction's inverse is known, between two parameters.
-    #[inline]
+    #[inline(always)]
     pub(super) fn new(field: &'a Field, ray: &Ray, inverse: Vec3, (from, end): (f64, f64)) -> Self {
-        let back = |along: f64| usize::from(along.is_sign_negative());
+        let Ray { origin, dir } = ray;
+        let axes = [
+            AxisRay::new(origin.x, dir.x, inverse.x),
+            AxisRay::new(origin.y, dir.y, inverse.y),
+            AxisRay::new(origin.z, dir.z, inverse.z),
+            AxisRay::new(0.0, 0.0, 0.0),
+        ];
         let root = field.root();
-        Walk {
-            field,
-            origin: [ray.origin.x, ray.origin.y, ray.origin.z, 0.0],
-            inverse: [inverse.x, inverse.y, inverse.z, 0.0],
-            backwards: back(ray.dir.x) | back(ray.dir.y) << 1 | back(ray.dir.z) << 2,
-            at: from,
-            end,
-            waiting: [(root, end); ROOM],
-            count: 1,
-            last: (root, end),
-            from,
-        }
+        Walk { field, axes, at: from, end, waiting: [(root, end); ROOM], count: 1, last: (root, end), from }
     }
 
     /// The next box that is not cut and where the stretch of the ray is not free, and this stretch.
@@ -71,11 +79,11 @@ impl<'a> Walk<'a> {
         let (mut cell, mut to) = *self.waiting.get(count)?;
         let from = self.at;
         while cell.kind < Kind::Open {
-            let axis = cell.kind as usize & 3;
-            let near = self.backwards >> axis & 1;
-            let halves = self.field.halves(cell);
+            let Some(halves) = self.field.halves(cell) else { break };
+            let axis = &self.axes[cell.kind.axis()];
+            let near = axis.near & 1;
             // Along the plane this is infinite, with the sign that leads to the side where the ray is.
-            let crossing = (cell.plane - self.origin[axis]) * self.inverse[axis];
+            let crossing = (cell.plane - axis.origin) * axis.inverse;
             if crossing <= from {
                 cell = &halves[near ^ 1];
                 continue;
