@@ -221,14 +221,22 @@ macro_rules! kernel {
                             word = boxes.child(word, first);
                             continue;
                         }
-                        let mut nearest = entry(t[first], boxes.child(word, first));
-                        boxes.prefetch(nearest as u32);
+                        let child = |slot: usize| {
+                            let word = boxes.child(word, slot);
+                            boxes.prefetch(word);
+                            entry(t[slot & 7], word)
+                        };
+                        // Mostly there are two.
+                        let (one, other) = (child(first), child(mask.trailing_zeros() as usize));
+                        mask &= mask - 1;
+                        let mut nearest = one.min(other);
+                        // SAFETY: top stays under STACK by the builder's depth bound.
+                        unsafe { stack.get_unchecked_mut(top).write(one.max(other)) };
                         let base = top;
+                        top += 1;
                         while mask != 0 {
-                            let slot = mask.trailing_zeros() as usize;
+                            let other = child(mask.trailing_zeros() as usize);
                             mask &= mask - 1;
-                            let other = entry(t[slot & 7], boxes.child(word, slot));
-                            boxes.prefetch(other as u32);
                             let (near, far) =
                                 if other < nearest { (other, nearest) } else { (nearest, other) };
                             nearest = near;

@@ -2,6 +2,7 @@
 use rayon::prelude::*;
 
 use super::{Block, LEAF, MeshBvh, block};
+use crate::build::LARGE;
 use crate::node::WIDTH;
 
 impl MeshBvh {
@@ -9,7 +10,11 @@ impl MeshBvh {
     /// of building. Answers are as right as those of a new tree, but take longer the less alike the places are.
     pub fn refit(&mut self, vertices: &[[f32; 3]], triangles: &[[u32; 3]]) {
         let whole = with_blocks!(&mut self.blocks, list => {
-            list.par_iter_mut().map(|block| block.refit(vertices, triangles)).reduce(|| true, |a, b| a & b)
+            let both = |a: bool, b: bool| a & b;
+            match triangles.len() < LARGE {
+                true => list.iter_mut().map(|block| block.refit(vertices, triangles)).fold(true, both),
+                false => list.par_iter_mut().map(|block| block.refit(vertices, triangles)).reduce(|| true, both),
+            }
         });
         // Corners that had one place and part want other blocks.
         if !whole {
