@@ -45,7 +45,7 @@ impl Body {
             Prim::Sphere { sphere, .. } => Some(Body::Ball(sphere)),
             Prim::Plane(plane) => Some(Body::Half(plane)),
             Prim::Box(cuboid) => Some(Body::Box(cuboid)),
-            Prim::PlacedBox { cuboid, place: id } => {
+            Prim::PlacedBox { cuboid, place: id, .. } => {
                 Some(Body::PlacedBox(id, Placed::new(cuboid, place(id))))
             }
             Prim::World(shape) => Body::of_shape(&leaves.shapes[shape as usize], None),

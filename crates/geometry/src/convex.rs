@@ -4,7 +4,7 @@ use raggio_math::{Aabb, Affine, EPS, Ray, Vec3, transform};
 
 use crate::body::{Body, Ready};
 use crate::leaf::Leaves;
-use crate::shapes::{Plane, ShapeKind};
+use crate::shapes::{Plane, ShapeKind, Stretch};
 use crate::tree::{Node, NodeRef};
 
 /// Room for rounding at both ends of a span, as a share of the distance and by itself.
@@ -16,11 +16,16 @@ const FAR: f64 = 1e7;
 /// So many planes are looked at for corners.
 const MOST_PLANES: usize = 8;
 
+/// More holes than this are not asked.
+const MOST_HOLES: usize = 6;
+
 /// Planes, and other bodies, that a point must be inside of.
 #[derive(Default)]
 pub(crate) struct Convex {
     planes: Vec<Plane>,
     bodies: Vec<Body>,
+    /// Bodies that a point must be outside of.
+    holes: Vec<Body>,
     /// Leaves of no such form that may say that a ray is nowhere inside them.
     others: Vec<u32>,
 }
@@ -31,8 +36,10 @@ impl Convex {
         let mut convex = Convex::default();
         for node in members {
             let Node::Leaf(index) = node.node() else { continue };
+            let inverted = leaves.leaves[index as usize].inverted;
             match Body::of(index, leaves) {
-                _ if leaves.leaves[index as usize].inverted => {}
+                Some(hole) if inverted => convex.holes.push(hole),
+                None if inverted => {}
                 Some(Body::Half(plane)) => convex.planes.push(plane),
                 // The boxes of members say the same.
                 Some(Body::Box(_) | Body::PlacedBox(..)) => {}
@@ -41,8 +48,9 @@ impl Convex {
                 Some(body) => convex.bodies.push(body),
             }
         }
+        convex.holes.truncate(MOST_HOLES);
         let empty = convex.planes.is_empty() && convex.bodies.is_empty() && convex.others.is_empty();
-        (!empty).then_some(convex)
+        (!empty || !convex.holes.is_empty()).then_some(convex)
     }
 
     /// The part of a range in which the ray can be inside all of them, and a little more; `None` where it nowhere is.
@@ -68,10 +76,26 @@ impl Convex {
         }
         let margin = |t: f64| MARGIN * (1.0 + t.abs());
         let (from, to) = (enter - margin(enter), leave + margin(leave));
-        let span = (most(from, range.0), least(to, range.1));
         // No order where the ray is nowhere inside a body.
-        let meets = from <= to && !self.others.iter().any(|&leaf| leaves.plainly_misses(leaf, ray, span));
-        meets.then_some(span)
+        if from.is_nan() || to.is_nan() || from > to {
+            return None;
+        }
+        let (mut from, mut to) = (most(from, range.0), least(to, range.1));
+        for hole in &self.holes {
+            let Stretch { enter, leave, beyond } = hole.stretch(ray, &mut ready);
+            let (first, last) = (enter + margin(enter), leave - margin(leave));
+            if !beyond && first < from {
+                from = most(last, from);
+            }
+            if !beyond && last > to {
+                to = least(first, to);
+            }
+            if from > to {
+                return None;
+            }
+        }
+        let misses = self.others.iter().any(|&leaf| leaves.plainly_misses(leaf, ray, (from, to)));
+        (!misses).then_some((from, to))
     }
 
     /// Its planes in other coordinates.
@@ -178,5 +202,22 @@ mod tests {
         assert!(span(&Ray::new(Vec3::new(2.0, -3.0, 0.0), Vec3::Y), (0.0, 10.0)).is_none());
         assert!(span(&Ray::new(Vec3::new(0.0, 3.0, 0.0), Vec3::Y), (0.0, 10.0)).is_none());
         assert!(span(&up, (4.0, 10.0)).is_none());
+    }
+
+    #[test]
+    fn spans_leave_out_what_lies_in_holes() {
+        let hole = |y: f64, radius: f64| Body::Ball(Sphere::new(Vec3::Y * y, radius));
+        let span = |holes: Vec<Body>| {
+            let all = Convex { bodies: vec![hole(0.0, 2.0)], holes, ..Convex::default() };
+            all.span(&Ray::new(Vec3::Y * -3.0, Vec3::Y), (0.0, 10.0), &Leaves::default())
+        };
+        let is = |found: Option<(f64, f64)>, from: f64, to: f64| {
+            found.is_some_and(|(a, b)| (a - from).abs() < 1e-4 && (b - to).abs() < 1e-4)
+        };
+        assert!(is(span(vec![]), 1.0, 5.0));
+        assert!(is(span(vec![hole(0.0, 1.0)]), 1.0, 5.0));
+        assert!(is(span(vec![hole(-2.0, 1.0)]), 2.0, 5.0));
+        assert!(is(span(vec![hole(2.0, 1.0), hole(-2.0, 1.5)]), 2.5, 4.0));
+        assert!(span(vec![hole(2.0, 2.5), hole(-2.0, 2.5)]).is_none());
     }
 }

@@ -155,7 +155,9 @@ impl Walk {
             self.pool.place(&mut self.leaves, shape, &c.world_from_here, c.inverted)?;
         let index = self.leaves.leaves.len();
         let material = if c.form_only { MaterialId(u32::MAX) } else { c.material(&mut self.materials) };
-        self.leaves.leaves.push(Leaf { prim, material, inverted, has_parts: false, rank: index as u32 });
+        let convex = !inverted && self.leaves.is_convex(&prim);
+        let rank = index as u32;
+        self.leaves.leaves.push(Leaf { prim, material, inverted, has_parts: false, convex, rank });
         if !c.form_only {
             self.part_textures(object, shape, c, index as u32);
             if c.cutaway.is_some() {

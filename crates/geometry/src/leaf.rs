@@ -3,7 +3,7 @@ use raggio_math::{Aabb, Affine, Ray, Vec2, Vec3, transform};
 
 use crate::convex::Convex;
 use crate::index::transformed;
-use crate::shapes::{Cuboid, Few, Plane, ShapeKind, Sphere};
+use crate::shapes::{Cuboid, Few, PlacedCuboid, Plane, ShapeKind, Sphere};
 use crate::tree::{Node, NodeRef};
 use crate::{Hit, LocalHit, MaterialId, Surface};
 
@@ -16,6 +16,8 @@ pub(crate) struct Leaf {
     pub(crate) inverted: bool,
     /// Has it more textures than its material's, listed in [`crate::texturing::Parts`]?
     pub(crate) has_parts: bool,
+    /// Does light that reaches its outer side from in front never meet it again? Flat and convex shapes.
+    pub(crate) convex: bool,
     /// Of surfaces of one object at the same distance, that of the leaf with the highest rank is seen.
     pub(crate) rank: u32,
 }
@@ -33,8 +35,9 @@ pub(crate) enum Prim {
     Plane(Plane),
     /// A box along the axes.
     Box(Cuboid),
-    /// A box at a place: index into [`Leaves::places`]. Its rays keep the world's distances.
-    PlacedBox { cuboid: Cuboid, place: u32 },
+    /// A box at a place: index into [`Leaves::places`]. Its rays keep the world's distances. The nearest hit is asked of
+    /// one of [`Leaves::boxes`], which stands for both.
+    PlacedBox { cuboid: Cuboid, place: u32, both: u32 },
     /// A shape whose own coordinates are the world's: index into [`Leaves::shapes`].
     World(u32),
     /// A shape and its place: indices into [`Leaves::shapes`] and [`Leaves::places`].
@@ -48,6 +51,8 @@ pub(crate) struct Leaves {
     pub(crate) shapes: Vec<ShapeKind>,
     /// `object_from_world`
     pub(crate) places: Vec<Affine>,
+    /// Boxes at places.
+    pub(crate) boxes: Vec<PlacedCuboid>,
 }
 
 /// A ray in a shape's own coordinates with a direction of unit length.
@@ -100,6 +105,12 @@ fn closest_placed(
     None
 }
 
+/// A shape's normal as a unit normal in the world.
+#[inline(always)]
+pub(crate) fn moved_normal(object_from_world: &Affine, n: Vec3) -> Vec3 {
+    transform::normal_by_inverse(object_from_world, n).normalize_or(Vec3::X)
+}
+
 /// Puts a hit where it is wanted, and says whether there is one.
 #[inline(always)]
 pub(crate) fn put(found: Option<Hit>, out: &mut Hit) -> bool {
@@ -107,6 +118,22 @@ pub(crate) fn put(found: Option<Hit>, out: &mut Hit) -> bool {
 }
 
 impl Leaves {
+    /// Is a shape flat, or a solid without hollows?
+    pub(crate) fn is_convex(&self, prim: &Prim) -> bool {
+        match prim {
+            Prim::Sphere { .. } | Prim::Plane(_) | Prim::Box(_) | Prim::PlacedBox { .. } => true,
+            Prim::World(shape) | Prim::Placed { shape, .. } => matches!(
+                self.shapes[*shape as usize],
+                ShapeKind::Sphere(_)
+                    | ShapeKind::Plane(_)
+                    | ShapeKind::Box(_)
+                    | ShapeKind::Cone(_)
+                    | ShapeKind::Disc(_)
+                    | ShapeKind::Polygon(_)
+            ),
+        }
+    }
+
     /// The nearest hit of one leaf, or any hit that `stops` says yes to.
     #[inline]
     pub(crate) fn closest(
@@ -138,13 +165,8 @@ impl Leaves {
             Prim::Sphere { sphere, .. } => put(sphere.closest(ray, range).map(own), out),
             Prim::Plane(plane) => put(plane.closest(ray, range).map(own), out),
             Prim::Box(cuboid) => put(cuboid.closest(ray, range).map(own), out),
-            Prim::PlacedBox { cuboid, place } => {
-                put(cuboid.closest(&ray.transformed(&self.places[*place as usize]), range).map(own), out)
-            }
-            Prim::World(s) => {
-                let shape = &self.shapes[*s as usize];
-                put(shape.closest_or(ray, range, |local| stops(&own(*local))).map(own), out)
-            }
+            Prim::PlacedBox { both, .. } => put(self.boxes[*both as usize].closest(ray, range).map(own), out),
+            Prim::World(s) => self.shape_into(*s, ray, range, own, stops, out),
             Prim::Placed { shape, place } => {
                 let (shape, place) = (&self.shapes[*shape as usize], &self.places[*place as usize]);
                 let found = closest_placed(shape, place, ray, range, |t, local| stops(&at(t, *local)));
@@ -153,11 +175,34 @@ impl Leaves {
         }
     }
 
-    /// [`Leaves::closest_into`] for the nearest hit. Not inlined: from a loop the compiler would take out what any shape
-    /// may ask of the ray, and work it out for every leaf.
+    /// [`Leaves::closest_into`] for a shape in the world. Not inlined, so that the simplest leaves need not pay for the
+    /// room in which others work.
     #[inline(never)]
-    pub(crate) fn nearest_into(&self, index: u32, ray: &Ray, range: (f64, f64), out: &mut Hit) -> bool {
-        self.closest_into(index, ray, range, &|_| false, out)
+    fn shape_into(
+        &self,
+        shape: u32,
+        ray: &Ray,
+        range: (f64, f64),
+        hit: impl Fn(LocalHit) -> Hit,
+        stops: &impl Fn(&Hit) -> bool,
+        out: &mut Hit,
+    ) -> bool {
+        let shape = &self.shapes[shape as usize];
+        put(shape.closest_or(ray, range, |local| stops(&hit(*local))).map(hit), out)
+    }
+
+    /// [`Leaves::closest_into`] for loops. Not inlined: the compiler would take out of the loop what any shape may ask of
+    /// the ray, and work it out for every leaf.
+    #[inline(never)]
+    pub(crate) fn closest_apart(
+        &self,
+        index: u32,
+        ray: &Ray,
+        range: (f64, f64),
+        stops: &impl Fn(&Hit) -> bool,
+        out: &mut Hit,
+    ) -> bool {
+        self.closest_into(index, ray, range, stops, out)
     }
 
     /// Collects every hit of one leaf in its shape's own coordinates, near ones first, where the shape has but a few;
@@ -168,7 +213,7 @@ impl Leaves {
             Prim::Sphere { sphere, .. } => sphere.few(ray, range, out),
             Prim::Plane(plane) => out.extend(plane.closest(ray, range), range),
             Prim::Box(cuboid) => cuboid.few(ray, range, out),
-            Prim::PlacedBox { cuboid, place } => {
+            Prim::PlacedBox { cuboid, place, .. } => {
                 cuboid.few(&ray.transformed(&self.places[*place as usize]), range, out);
             }
             Prim::World(s) => return self.shapes[*s as usize].few(ray, range, out).then_some(1.0),
@@ -253,7 +298,7 @@ impl Leaves {
             Prim::Sphere { sphere, .. } => sphere.hits(ray, range, buffer),
             Prim::Plane(plane) => plane.hits(ray, range, buffer),
             Prim::Box(cuboid) => cuboid.hits(ray, range, buffer),
-            Prim::PlacedBox { cuboid, place } => {
+            Prim::PlacedBox { cuboid, place, .. } => {
                 cuboid.hits(&ray.transformed(&self.places[*place as usize]), range, buffer);
             }
             Prim::World(s) => self.shapes[*s as usize].hits(ray, range, buffer),
@@ -324,7 +369,7 @@ impl Leaves {
             Prim::Sphere { sphere, .. } => sphere.inside(p),
             Prim::Plane(plane) => plane.inside(p),
             Prim::Box(cuboid) => cuboid.inside(p),
-            Prim::PlacedBox { cuboid, place } => cuboid.inside(moved(*place)),
+            Prim::PlacedBox { cuboid, place, .. } => cuboid.inside(moved(*place)),
             Prim::World(s) => self.shapes[*s as usize].inside(p),
             Prim::Placed { shape, place } => self.shapes[*shape as usize].inside(moved(*place)),
         };
@@ -341,42 +386,44 @@ impl Leaves {
         }
     }
 
-    /// The unit normal in the world, the leaf's inversion counted, given the point in the shape's coordinates.
+    /// The unit normal in the world at a hit, the leaf's inversion counted.
     #[inline(always)]
-    pub(crate) fn normal(&self, hit: &Hit, local_point: Vec3) -> Vec3 {
-        let moved = |place: u32, n: Vec3| {
-            transform::normal_by_inverse(&self.places[place as usize], n).normalize_or(Vec3::X)
-        };
+    pub(crate) fn normal(&self, hit: &Hit, p: Vec3) -> Vec3 {
         let n = match &self.leaves[hit.leaf as usize].prim {
-            Prim::Sphere { sphere, .. } => sphere.normal(local_point, &hit.local),
-            Prim::Plane(plane) => plane.normal(local_point, &hit.local),
-            Prim::Box(cuboid) => cuboid.normal(local_point, &hit.local),
-            Prim::PlacedBox { cuboid, place } => moved(*place, cuboid.normal(local_point, &hit.local)),
-            Prim::World(s) => self.shapes[*s as usize].normal(local_point, &hit.local),
+            Prim::Sphere { sphere, .. } => sphere.normal(p, &hit.local),
+            Prim::Plane(plane) => plane.normal(p, &hit.local),
+            Prim::Box(cuboid) => cuboid.normal(p, &hit.local),
+            Prim::PlacedBox { both, .. } => self.boxes[*both as usize].normal(&hit.local),
+            Prim::World(s) => self.shapes[*s as usize].normal(p, &hit.local),
             Prim::Placed { shape, place } => {
-                moved(*place, self.shapes[*shape as usize].normal(local_point, &hit.local))
+                let place = &self.places[*place as usize];
+                moved_normal(
+                    place,
+                    self.shapes[*shape as usize].normal(place.transform_point3(p), &hit.local),
+                )
             }
         };
         if hit.inverted { -n } else { n }
     }
 
-    /// Texture coordinates; shapes without a rule of their own take x and y of the world point.
-    pub(crate) fn uv(&self, hit: &Hit, local_point: Vec3, world_point: Vec3) -> Vec2 {
+    /// Texture coordinates at a hit; shapes without a rule of their own take x and y of the point.
+    pub(crate) fn uv(&self, hit: &Hit, p: Vec3) -> Vec2 {
+        let local = || self.local_point(hit.leaf, p);
         let uv = match &self.leaves[hit.leaf as usize].prim {
             Prim::Sphere { sphere, place } => {
-                let offset = sphere.normal(local_point, &hit.local) * sphere.sign();
+                let offset = sphere.normal(p, &hit.local) * sphere.sign();
                 Some(Sphere::uv_of(match place {
                     Some(place) => self.places[*place as usize].transform_vector3(offset),
                     None => offset,
                 }))
             }
             Prim::Plane(_) => None,
-            Prim::Box(cuboid) | Prim::PlacedBox { cuboid, .. } => cuboid.uv(local_point, &hit.local),
+            Prim::Box(cuboid) | Prim::PlacedBox { cuboid, .. } => cuboid.uv(local(), &hit.local),
             Prim::World(shape) | Prim::Placed { shape, .. } => {
-                self.shapes[*shape as usize].uv(local_point, &hit.local)
+                self.shapes[*shape as usize].uv(local(), &hit.local)
             }
         };
-        uv.unwrap_or(Vec2::new(world_point.x, world_point.y))
+        uv.unwrap_or(Vec2::new(p.x, p.y))
     }
 
     /// The shape of a leaf, unless it is one of the simplest.

@@ -18,15 +18,17 @@ mod shaft;
 mod shape_pool;
 mod shapes;
 mod solid;
+mod standing;
 mod surface;
 mod texturing;
 mod tree;
 mod world;
 
 pub use extent::extent;
-pub use obstacles::{BlockerGuess, Obstacles};
+pub use obstacles::{BlockerGuess, Obstacles, Segment};
 pub use screen::{Lanes, RAYS, Screen, Verdict};
-pub use shaft::{Shaft, Standing};
+pub use shaft::Shaft;
+pub use standing::{Nearest, Standing};
 pub use surface::{LocalHit, Surface};
 pub use world::{
     BuildError, Geometry, Hit, Interaction, InteriorId, InteriorInfo, LightGroupId, Material, MaterialId,

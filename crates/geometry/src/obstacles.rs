@@ -4,9 +4,9 @@ use smallvec::SmallVec;
 
 use crate::index::ENOUGH;
 use crate::probe::Probe;
-use crate::shaft::Standing;
 use crate::shapes::ShapeKind;
 use crate::solid::Solid;
+use crate::standing::Standing;
 use crate::tree::{Group, Lists, Member, Node, NodeRef, Scratch};
 use crate::{Geometry, Hit, RayClass};
 
@@ -26,32 +26,41 @@ pub struct BlockerGuess {
     member: Option<u32>,
 }
 
+/// The part of a shadow ray on which surfaces count.
+#[derive(Clone, Copy, Debug)]
+pub struct Segment<'a> {
+    /// From a surface point to a light.
+    pub ray: &'a Ray,
+    /// Where on it.
+    pub range: (f64, f64),
+    /// Of one object's surfaces nearer to each other than this perhaps only the first is met.
+    pub gap: f64,
+    /// The leaf that it starts on, if the ray does not meet it again.
+    pub own: Option<u32>,
+}
+
 /// A shadow ray under way.
 struct Way<'a> {
     probe: &'a Probe<'a>,
-    range: (f64, f64),
-    /// Of one object's surfaces nearer to each other than this only the first is met.
-    gap: f64,
+    segment: &'a Segment<'a>,
 }
 
 impl Geometry {
-    /// Is a shadow ray stopped between `range.0` and `range.1`? Only what is `standing` in the way is asked. If nothing
-    /// stops it, `obstacles` has met every surface in the range; of one object's surfaces that lie nearer to each other
-    /// than `gap` perhaps only the first. `guess` remembers what stopped the last ray that was asked with it and is
-    /// tried first; keep one for each light.
+    /// Is a shadow ray stopped on a part of it? Only what is `standing` in the way is asked. If nothing stops it,
+    /// `obstacles` has met every surface there, as far as the segment tells no otherwise. `guess` remembers what stopped
+    /// the last ray that was asked with it and is tried first; keep one for each light.
     pub fn is_stopped(
         &self,
-        ray: &Ray,
-        range: (f64, f64),
-        gap: f64,
+        segment: &Segment<'_>,
         standing: &Standing,
         guess: &mut BlockerGuess,
         obstacles: &mut impl Obstacles,
     ) -> bool {
-        let range = (range.0.max(MIN_HIT), range.1.min(MAX_DISTANCE));
+        let range = (segment.range.0.max(MIN_HIT), segment.range.1.min(MAX_DISTANCE));
+        let segment = &Segment { range, ..*segment };
         let mut stops = |member: &Member| match member.node.node() {
             Node::Leaf(leaf) if member.skip & RayClass::Shadow.bit() == 0 => {
-                self.leaf_stops(leaf, ray, range, gap, obstacles)
+                self.leaf_stops(leaf, segment, obstacles)
             }
             _ => false,
         };
@@ -62,7 +71,7 @@ impl Geometry {
             }
             _ => {}
         }
-        let way = Way { probe: &Probe::new(ray), range, gap };
+        let way = Way { probe: &Probe::new(segment.ray), segment };
         let mut scratch = Scratch::default();
         let mut ask = |member: u32| self.member_stops(member, &way, &mut scratch, obstacles);
         match standing {
@@ -110,7 +119,7 @@ impl Geometry {
         }
         let group = match member.node.node() {
             Node::Leaf(leaf) => {
-                return self.leaf_stops(leaf, way.probe.ray, way.range, way.gap, obstacles);
+                return self.leaf_stops(leaf, way.segment, obstacles);
             }
             Node::Group(group) => &self.tree.groups[group as usize],
         };
@@ -120,50 +129,34 @@ impl Geometry {
     }
 
     #[inline]
-    fn leaf_stops(
-        &self,
-        leaf: u32,
-        ray: &Ray,
-        range: (f64, f64),
-        gap: f64,
-        obstacles: &mut impl Obstacles,
-    ) -> bool {
-        if obstacles.stops(leaf) {
-            return self.tree.leaves.closest(leaf, ray, range, &|_| true).is_some();
+    fn leaf_stops(&self, leaf: u32, segment: &Segment<'_>, obstacles: &mut impl Obstacles) -> bool {
+        if segment.own == Some(leaf) {
+            return false;
         }
-        self.stops_in_places(leaf, ray, range, gap, obstacles)
+        if obstacles.stops(leaf) {
+            return self.tree.leaves.closest(leaf, segment.ray, segment.range, &|_| true).is_some();
+        }
+        self.stops_in_places(leaf, segment, obstacles)
     }
 
     /// Is a ray stopped by one of the surfaces of a leaf that may let it through? Not inlined: from a loop the compiler
     /// would take out what any shape may ask of the ray, and work it out for every leaf.
     #[inline(never)]
-    fn stops_in_places(
-        &self,
-        leaf: u32,
-        ray: &Ray,
-        range: (f64, f64),
-        gap: f64,
-        obstacles: &mut impl Obstacles,
-    ) -> bool {
+    fn stops_in_places(&self, leaf: u32, segment: &Segment<'_>, obstacles: &mut impl Obstacles) -> bool {
+        let Segment { ray, range, gap, .. } = *segment;
         let leaves = &self.tree.leaves;
         if let Some(found) = leaves.closest_of_few(leaf, ray, range, gap, |hit| obstacles.meets(hit)) {
             return found.is_some();
         }
         if leaves.shape(leaf).is_some_and(ShapeKind::finds_all_at_once) {
-            return self.one_of_all_stops(leaf, ray, range, gap, obstacles);
+            return self.one_of_all_stops(leaf, segment, obstacles);
         }
         one_stops(range, gap, obstacles, |range, _| leaves.closest(leaf, ray, range, &|_| false))
     }
 
     /// [`Geometry::stops_in_places`] by one search for all surfaces.
-    fn one_of_all_stops(
-        &self,
-        leaf: u32,
-        ray: &Ray,
-        (mut from, to): (f64, f64),
-        gap: f64,
-        obstacles: &mut impl Obstacles,
-    ) -> bool {
+    fn one_of_all_stops(&self, leaf: u32, segment: &Segment<'_>, obstacles: &mut impl Obstacles) -> bool {
+        let Segment { ray, range: (mut from, to), gap, .. } = *segment;
         let mut scratch = Scratch::default();
         let Lists { hits, local } = scratch.lists();
         let start = hits.len();
@@ -192,7 +185,7 @@ impl Geometry {
         let mut hits: SmallVec<[Hit; 6]> = SmallVec::new();
         let mut stopped = false;
         let ray = way.probe.ray;
-        solid.sweep(&self.tree, group, way.probe, way.range, |end| {
+        solid.sweep(&self.tree, group, way.probe, way.segment.range, |end| {
             stopped = obstacles.stops(end.leaf());
             if !stopped {
                 hits.push(if obstacles.is_plain(end.leaf()) {
@@ -213,7 +206,7 @@ impl Geometry {
         scratch: &mut Scratch,
         obstacles: &mut impl Obstacles,
     ) -> bool {
-        one_stops(way.range, way.gap, obstacles, |range, obstacles| {
+        one_stops(way.segment.range, way.segment.gap, obstacles, |range, obstacles| {
             let stops = |hit: &Hit| obstacles.stops(hit.leaf);
             self.tree.closest(node, way.probe, range, RayClass::Shadow.bit(), scratch, &stops)
         })

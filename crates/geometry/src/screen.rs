@@ -7,8 +7,8 @@ use raggio_math::{Affine, EPS, Vec3, Wide, wide};
 use smallvec::SmallVec;
 
 use crate::leaf::Prim;
-use crate::shaft::Standing;
 use crate::shapes::{Cuboid, Plane, Sphere};
+use crate::standing::Standing;
 use crate::tree::{Node, NodeRef, Op, Tree};
 use crate::{Geometry, RayClass};
 
@@ -154,7 +154,9 @@ impl Tree {
             Prim::Sphere { sphere, .. } => Kind::ball(sphere, p),
             Prim::Plane(plane) => Kind::half(plane, p),
             Prim::Box(cuboid) => Kind::slabs(cuboid, &Affine::IDENTITY, p),
-            Prim::PlacedBox { cuboid, place } => Kind::slabs(cuboid, &self.leaves.places[*place as usize], p),
+            Prim::PlacedBox { cuboid, place, .. } => {
+                Kind::slabs(cuboid, &self.leaves.places[*place as usize], p)
+            }
             _ => return false,
         };
         screen.parts.push(Part { kind, slack: 1.0 / (MARGIN * scale), inverted });
@@ -364,7 +366,7 @@ impl Part {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{BlockerGuess, Hit, Obstacles, Shaft};
+    use crate::{BlockerGuess, Hit, Obstacles, Segment, Shaft};
     use raggio_math::Ray;
     use raggio_scene::{Csg, Object, ObjectKind, Shape};
     use std::sync::Arc;
@@ -442,7 +444,8 @@ mod tests {
                 let ray = Ray::new(p, way.normalize());
                 let range = (near, way.length() - near);
                 let mut guess = BlockerGuess::default();
-                let hit = geometry.is_stopped(&ray, range, near, &standing, &mut guess, &mut Wall);
+                let segment = Segment { ray: &ray, range, gap: near, own: None };
+                let hit = geometry.is_stopped(&segment, &standing, &mut guess, &mut Wall);
                 let (is_stopped, is_free) = (verdict.stopped >> k & 1 == 1, verdict.free >> k & 1 == 1);
                 assert_eq!((is_stopped, is_free), (hit, !hit), "{i} {k}");
                 stopped += u32::from(is_stopped);

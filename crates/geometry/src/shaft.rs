@@ -2,46 +2,27 @@
 //!
 //! All shadow rays from a point to an area light go through one shaft (Haines and Wallace, "Shaft culling for efficient
 //! ray-cast radiosity", 1991). What does not reach into it stops none of them.
-use raggio_bvh::{BoxRow, Region};
+use raggio_bvh::Region;
 use raggio_math::{Aabb, Affine, Vec3};
-use smallvec::SmallVec;
 
 use crate::leaf::{Leaf, Leaves, Prim};
 use crate::tree::{Node, NodeRef, Op, Tree};
-use crate::{Geometry, RayClass};
 
 /// The corners of a shaft: near the point, then far.
 pub(crate) type Corners = [Vec3; 8];
 
+/// Shares of the way through a shaft are made smaller by this share, for what rounding does.
+const ROUNDING: f64 = 1e-9;
+
 /// All segments from a point to the points of a patch with four corners, without the part next to the point.
 pub struct Shaft {
     corners: Corners,
-    region: Region,
+    pub(crate) region: Region,
+    /// The point.
+    eye: Vec3,
     /// Is what stands in it remembered for many rays, so that it is worth looking into groups?
     lasting: bool,
 }
-
-/// What may stand in a shaft.
-#[derive(Default)]
-pub enum Standing {
-    /// Too much to be listed, or unknown.
-    #[default]
-    Anything,
-    /// These and nothing else.
-    Listed(Box<List>),
-}
-
-/// Members of the world by number, with their boxes.
-#[derive(Default)]
-pub struct List {
-    members: SmallVec<[u32; BoxRow::MOST]>,
-    pub(crate) boxes: BoxRow,
-    /// So few, and none of them groups, that boxes are not worth asking.
-    pub(crate) bare: bool,
-}
-
-/// Up to so many leaves are asked without their boxes.
-const BARE: usize = 2;
 
 /// Groups of more members are not looked into.
 const MOST_MEMBERS: usize = 32;
@@ -56,6 +37,7 @@ impl Shaft {
         Shaft {
             corners: std::array::from_fn(corner),
             region: Region { bounds: *b, planes: [(Vec3::ZERO, 0.0); 4] },
+            eye: b.centre(),
             lasting: false,
         }
     }
@@ -68,13 +50,35 @@ impl Shaft {
             corners[i] = p + (far - p).try_normalize()? * start;
             corners[i + 4] = far;
         }
-        Some(Shaft { corners, region: region(corners, patch.map(|far| far - p), p), lasting: false })
+        let region = region(corners, patch.map(|far| far - p), p);
+        Some(Shaft { corners, region, eye: p, lasting: false })
     }
 
     /// The frustum between two patches that look the same from a point. What stands in it is remembered.
     pub fn between(p: Vec3, near: [Vec3; 4], far: [Vec3; 4]) -> Shaft {
         let corners = std::array::from_fn(|i| if i < 4 { near[i] } else { far[i - 4] });
-        Shaft { corners, region: region(corners, far.map(|far| far - p), p), lasting: true }
+        Shaft { corners, region: region(corners, far.map(|far| far - p), p), eye: p, lasting: true }
+    }
+
+    /// Its edges, from the point to the far corners.
+    fn edges(&self) -> [Vec3; 4] {
+        std::array::from_fn(|i| self.corners[i + 4] - self.eye)
+    }
+
+    /// The share of the way before which it does not reach a box.
+    fn share_before(&self, b: &Aabb) -> f64 {
+        let edges = Aabb::around(self.edges());
+        let (lo, hi) = (b.min - self.eye, b.max - self.eye);
+        let share = |k: usize| {
+            if lo[k] > 0.0 && edges.max[k] > 0.0 {
+                lo[k] / edges.max[k]
+            } else if hi[k] < 0.0 && edges.min[k] < 0.0 {
+                hi[k] / edges.min[k]
+            } else {
+                0.0
+            }
+        };
+        share(0).max(share(1)).max(share(2))
     }
 }
 
@@ -92,77 +96,9 @@ fn region(corners: Corners, edges: [Vec3; 4], p: Vec3) -> Region {
     Region { bounds: Aabb::around(corners), planes }
 }
 
-impl Standing {
-    /// Is it so little that asking it costs next to nothing?
-    pub fn is_little(&self) -> bool {
-        matches!(self, Standing::Listed(list) if list.bare)
-    }
-}
-
-impl List {
-    /// Does nothing stand there?
-    pub fn is_empty(&self) -> bool {
-        self.members.is_empty()
-    }
-
-    pub(crate) fn members(&self) -> &[u32] {
-        &self.members
-    }
-
-    pub(crate) fn member(&self, place: usize) -> u32 {
-        self.members[place]
-    }
-
-    pub(crate) fn place(&self, member: u32) -> Option<usize> {
-        self.members.iter().position(|&m| m == member)
-    }
-}
-
-impl Geometry {
-    /// Has it so few objects that all of them are tested at once anyway?
-    pub fn is_small(&self) -> bool {
-        self.world.members.len() <= BoxRow::MOST
-    }
-
-    /// What may stand in a shaft in the way of rays of a class.
-    pub fn standing_in(&self, shaft: &Shaft, class: RayClass) -> Standing {
-        let mut standing = Standing::Anything;
-        self.find_standing(shaft, class, &mut standing);
-        standing
-    }
-
-    /// The same, into memory that was used before.
-    pub fn find_standing(&self, shaft: &Shaft, class: RayClass, standing: &mut Standing) {
-        let mut list = match std::mem::take(standing) {
-            Standing::Listed(list) => list,
-            Standing::Anything => Box::default(),
-        };
-        list.members.clear();
-        list.boxes.clear();
-        let mut too_many = false;
-        self.world.surfaces.within(&shaft.region, |index, b| {
-            let member = self.world.members[index as usize];
-            if member.skip & class.bit() != 0 || self.tree.misses(member.node, shaft) {
-                return false;
-            }
-            too_many = list.members.len() == BoxRow::MOST;
-            if !too_many {
-                list.boxes.put(list.members.len(), b);
-                list.members.push(index);
-            }
-            too_many
-        });
-        if !too_many {
-            let leaf = |&m: &u32| self.world.members[m as usize].node.is_leaf();
-            list.bare = list.members.len() <= BARE && list.members.iter().all(leaf);
-            *standing = Standing::Listed(list);
-        }
-    }
-}
-
 impl Tree {
     /// Is it plain that the surface of a node does not reach into a shaft?
-    fn misses(&self, node: NodeRef, shaft: &Shaft) -> bool {
+    pub(crate) fn misses(&self, node: NodeRef, shaft: &Shaft) -> bool {
         let group = match node.node() {
             Node::Leaf(leaf) => return self.leaves.misses(leaf, &shaft.corners),
             Node::Group(group) => &self.groups[group as usize],
@@ -186,14 +122,41 @@ impl Tree {
     }
 }
 
+impl Tree {
+    /// A share of the way through a shaft before which a node with that box is not met, wherever in the shaft that is.
+    pub(crate) fn share_before(&self, node: NodeRef, b: &Aabb, shaft: &Shaft) -> f64 {
+        let exact = match node.node() {
+            Node::Leaf(leaf) => self.leaves.share_before(leaf, shaft),
+            Node::Group(_) => 0.0,
+        };
+        exact.max(shaft.share_before(b)) * (1.0 - ROUNDING)
+    }
+}
+
 impl Leaves {
+    /// What shapes without bounds, or around the shaft's point, know better than their boxes.
+    fn share_before(&self, leaf: u32, shaft: &Shaft) -> f64 {
+        match &self.leaves[leaf as usize].prim {
+            Prim::Sphere { sphere, .. } => {
+                sphere.room_around(shaft.eye)
+                    / shaft.edges().map(Vec3::length).into_iter().fold(0.0, f64::max)
+            }
+            Prim::Plane(plane) => shaft
+                .edges()
+                .map(|edge| plane.share_along(shaft.eye, edge))
+                .into_iter()
+                .fold(f64::INFINITY, f64::min),
+            _ => 0.0,
+        }
+    }
+
     fn misses(&self, leaf: u32, corners: &Corners) -> bool {
         let moved = |to: &Affine| corners.map(|p| to.transform_point3(p));
         match &self.leaves[leaf as usize].prim {
             Prim::Sphere { sphere, .. } => sphere.misses(corners),
             Prim::Plane(plane) => plane.misses(corners),
             Prim::Box(cuboid) => cuboid.misses(corners),
-            Prim::PlacedBox { cuboid, place } => cuboid.misses(&moved(&self.places[*place as usize])),
+            Prim::PlacedBox { cuboid, place, .. } => cuboid.misses(&moved(&self.places[*place as usize])),
             Prim::World(s) => self.shapes[*s as usize].misses(corners),
             Prim::Placed { shape, place } => {
                 self.shapes[*shape as usize].misses(&moved(&self.places[*place as usize]))

@@ -7,7 +7,7 @@ use rustc_hash::FxHashMap;
 
 use crate::index::transformed;
 use crate::leaf::{Leaves, Prim};
-use crate::shapes::{self, Cuboid, Plane, ShapeKind, Sphere};
+use crate::shapes::{self, Cuboid, PlacedCuboid, Plane, ShapeKind, Sphere};
 use crate::{BuildError, Surface};
 
 /// Remembers which shapes and places are there already.
@@ -76,7 +76,9 @@ impl ShapePool {
         }
         let bounds = transformed(&cuboid.bounds(), world_from_object);
         let place = self.place_id(leaves, world_from_object);
-        boxed(Prim::PlacedBox { cuboid, place }, inverted, bounds, bounds)
+        leaves.boxes.push(PlacedCuboid::new(&cuboid, &leaves.places[place as usize]));
+        let both = leaves.boxes.len() as u32 - 1;
+        boxed(Prim::PlacedBox { cuboid, place, both }, inverted, bounds, bounds)
     }
 
     fn place_general(

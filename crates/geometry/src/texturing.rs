@@ -40,14 +40,14 @@ pub(crate) struct Texturing<'a> {
 }
 
 impl Texturing<'_> {
-    /// The textures at a hit; `p` is the point in the world and `local` in the shape's coordinates.
-    pub(crate) fn at(&self, hit: &Hit, p: Vec3, local: Vec3, from_inside: bool) -> TextureUses {
+    /// The textures at a hit, at a point in the world.
+    pub(crate) fn at(&self, hit: &Hit, p: Vec3, from_inside: bool) -> TextureUses {
         let material = self.material(hit.leaf);
         if let (true, Some(texture)) = (from_inside, material.interior_texture) {
             return TextureUses::One(whole(texture));
         }
         match self.tree.leaves.leaves[hit.leaf as usize].has_parts {
-            true => TextureUses::Other(self.of_leaf(hit, p, local, material)),
+            true => TextureUses::Other(self.of_leaf(hit, p, material)),
             false => match material.texture {
                 Some(texture) => TextureUses::One(whole(texture)),
                 None => TextureUses::Other(Uses::new()),
@@ -57,7 +57,7 @@ impl Texturing<'_> {
 
     /// The textures of a leaf that has more than its material's.
     #[inline(never)]
-    fn of_leaf(&self, hit: &Hit, p: Vec3, local: Vec3, material: &Material) -> Uses {
+    fn of_leaf(&self, hit: &Hit, p: Vec3, material: &Material) -> Uses {
         let Some(parts) = self.parts.get(&hit.leaf) else { return alone(material.texture) };
         let object = match parts.cutaway {
             Some(cutaway) => self.cut(&cutaway, p),
@@ -65,7 +65,7 @@ impl Texturing<'_> {
         };
         match parts.textures.is_empty() {
             true => object,
-            false => self.of_parts(&parts.textures, object, hit, local),
+            false => self.of_parts(&parts.textures, object, hit, self.tree.leaves.local_point(hit.leaf, p)),
         }
     }
 

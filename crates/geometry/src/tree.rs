@@ -208,7 +208,7 @@ impl Tree {
     ) -> bool {
         self.closest_member(group, probe, range, class, stops, best, |index, range, out| {
             match group.members[index as usize].node.node() {
-                Node::Leaf(leaf) => self.leaves.closest_into(leaf, probe.ray, range, stops, out),
+                Node::Leaf(leaf) => self.leaves.closest_apart(leaf, probe.ray, range, stops, out),
                 Node::Group(group) => {
                     let group = &self.groups[group as usize];
                     put(self.group_closest(group, probe, range, class, scratch, stops), out)
@@ -238,19 +238,17 @@ impl Tree {
             }
             // A group with bounds may show more than its box holds.
             let mut range = if member.node.is_leaf() { within } else { (range.0, far) };
-            let mut other = Hit::NONE;
-            let rivals = group.ranked && found;
-            if rivals && range.1 == far {
-                range.1 = far.next_up();
-            }
-            if !ask(index, range, if rivals { &mut other } else { &mut *best }) {
-                return None;
-            }
-            if rivals {
-                if !self.stands_before(&other, best) {
+            if group.ranked && found {
+                let mut other = Hit::NONE;
+                if range.1 == far {
+                    range.1 = far.next_up();
+                }
+                if !ask(index, range, &mut other) || !self.stands_before(&other, best) {
                     return None;
                 }
                 *best = other;
+            } else if !ask(index, range, best) {
+                return None;
             }
             found = true;
             Some(if stops(best) { ENOUGH } else { best.t })

@@ -7,8 +7,9 @@ use smallvec::SmallVec;
 
 use crate::flatten::{Flat, flatten};
 use crate::probe::Probe;
-use crate::shaft::{Shaft, Standing};
+use crate::shaft::Shaft;
 use crate::shapes::ShapeKind;
+use crate::standing::Standing;
 use crate::texturing::{Parts, Texturing};
 use crate::tree::{Group, Member, Node, NodeRef, Scratch, Tree};
 
@@ -271,7 +272,7 @@ impl Geometry {
         for member in self.few.iter().filter(|member| member.skip & class.bit() == 0) {
             let Node::Leaf(leaf) = member.node.node() else { continue };
             let far = if found { best.t } else { range.1 };
-            found |= self.tree.leaves.nearest_into(leaf, ray, (range.0, far), best);
+            found |= self.tree.leaves.closest_apart(leaf, ray, (range.0, far), &|_| false, best);
         }
         found
     }
@@ -305,21 +306,26 @@ impl Geometry {
         (!leaf.has_parts).then_some(leaf.material)
     }
 
+    /// Can a leaf stand in its own light nowhere on the side that light comes from?
+    #[inline]
+    pub fn is_convex(&self, leaf: u32) -> bool {
+        self.tree.leaves.leaves[leaf as usize].convex
+    }
+
     /// What is known about the surface at a hit.
     pub fn interaction(&self, ray: &Ray, hit: &Hit) -> Interaction {
         let leaves = &self.tree.leaves;
         let p = ray.at(hit.t);
-        let local = leaves.local_point(hit.leaf, p);
-        let n = leaves.normal(hit, local);
+        let n = leaves.normal(hit, p);
         let from_inside = n.dot(ray.dir) > 0.0;
         let texturing = Texturing { tree: &self.tree, materials: &self.materials, parts: &self.parts };
         Interaction {
             p,
             n,
-            uv: if self.asks_uv { leaves.uv(hit, local, p) } else { Vec2::ZERO },
+            uv: if self.asks_uv { leaves.uv(hit, p) } else { Vec2::ZERO },
             from_inside,
             material: leaves.leaves[hit.leaf as usize].material,
-            textures: texturing.at(hit, p, local, from_inside),
+            textures: texturing.at(hit, p, from_inside),
         }
     }
 

@@ -15,7 +15,7 @@ mod waves;
 
 pub use lattice::{corners, dnoise};
 pub use random::{hash3, random, random3};
-pub use turbulence::{dturbulence, turbulence};
+pub use turbulence::{dturbulence, octave_sum, turbulence};
 pub use waves::{WaveSource, wave_sources};
 
 pub use random::hash;

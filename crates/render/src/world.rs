@@ -109,7 +109,7 @@ impl World {
             .lights
             .iter()
             .enumerate()
-            .map(|(i, placed)| LightSource::build(i, &placed.light))
+            .map(|(i, placed)| LightSource::build(i, &placed.light, &geometry))
             .collect::<Result<Vec<_>, _>>()?;
         let air = MediaList::new(&scene.atmosphere.media, &Affine::IDENTITY, rules.noise);
         let any_media = !air.is_empty() || interiors.iter().any(|i| !i.media.is_empty());

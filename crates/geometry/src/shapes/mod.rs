@@ -46,7 +46,7 @@ use crate::texturing::PartUses;
 use crate::{BuildError, LocalHit, Surface};
 
 pub(crate) use blob::acting;
-pub(crate) use box_::{AxisRay, Cuboid};
+pub(crate) use box_::{AxisRay, Cuboid, PlacedCuboid};
 pub(crate) use cone::Cone;
 pub(crate) use disc::Disc;
 pub(crate) use julia::radius as julia_radius;

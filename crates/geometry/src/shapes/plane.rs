@@ -51,6 +51,15 @@ impl Plane {
     }
 }
 
+impl Plane {
+    /// The share of a way from a point after which the plane is met; infinite where the way leads elsewhere.
+    pub(crate) fn share_along(&self, from: Vec3, way: Vec3) -> f64 {
+        let (height, slope) = (self.distance - self.normal.dot(from), self.normal.dot(way));
+        let share = height / slope;
+        if share >= 0.0 { share } else { f64::INFINITY }
+    }
+}
+
 impl Surface for Plane {
     fn bounds(&self) -> Aabb {
         Aabb::INFINITE

@@ -65,6 +65,11 @@ impl Sphere {
             || hull.iter().all(within)
     }
 
+    /// How far its surface is from a point inside; 0 for points outside.
+    pub(crate) fn room_around(&self, p: Vec3) -> f64 {
+        (self.radius.abs() - (p - self.center).length()).max(0.0)
+    }
+
     /// Both hits, as far as they are in the range.
     #[inline]
     pub(crate) fn few(&self, ray: &Ray, range: (f64, f64), out: &mut Few) {

@@ -294,6 +294,20 @@ pub(super) fn scalars(octaves: &Octaves, range: Range, out: &mut [[f64; LANES]])
         .then(|| unsafe { many_scalars(p.x, p.y, p.z, scale, lambda, count, range, out) })
 }
 
+/// The sum of what becomes of octaves, if the processor has AVX2; see [`octave_sum`](super::octave_sum).
+#[inline]
+pub(super) fn scalar_sum<const N: usize>(
+    octaves: &Octaves,
+    range: &Range,
+    sum: (f64, f64, f64),
+    octave: impl Fn(usize, f64) -> f64 + Copy,
+) -> Option<(f64, f64)> {
+    let Octaves { p, scale, lambda, count } = *octaves;
+    // SAFETY: the processor was asked.
+    is_x86_feature_detected!("avx2")
+        .then(|| unsafe { summed_scalars::<N>(p.x, p.y, p.z, scale, lambda, sum, count, range, octave) })
+}
+
 /// Raw vector noise of the first `count` octaves, channel by channel, if the processor has AVX2.
 #[inline]
 pub(super) fn vectors(octaves: &Octaves, out: &mut [[[f64; LANES]; 3]]) -> Option<()> {
@@ -372,6 +386,38 @@ fn many_scalars(
         };
         *out = numbers(ranged(raw, range));
     }
+}
+
+/// `N` is the number of octaves, or 0 where `count` is that.
+#[target_feature(enable = "avx2")]
+fn summed_scalars<const N: usize>(
+    x: f64,
+    y: f64,
+    z: f64,
+    mut scale: f64,
+    lambda: f64,
+    (mut sum, mut weight, omega): (f64, f64, f64),
+    count: usize,
+    range: &Range,
+    octave: impl Fn(usize, f64) -> f64 + Copy,
+) -> (f64, f64) {
+    let count = if N > 0 { N } else { count };
+    let mut done = 0;
+    while done < count {
+        let [x, y, z] = four_octaves(x, y, z, &mut scale, lambda);
+        let raw = match count - done {
+            1 | 2 => scalar_lanes::<2>(x, y, z),
+            3 => scalar_lanes::<3>(x, y, z),
+            _ => scalar_lanes::<4>(x, y, z),
+        };
+        let values = numbers(ranged(raw, *range));
+        for (i, &n) in values.iter().enumerate().take(count - done) {
+            sum += weight * octave(done + i, n);
+            weight *= omega;
+        }
+        done += LANES;
+    }
+    (sum, weight)
 }
 
 #[target_feature(enable = "avx2")]

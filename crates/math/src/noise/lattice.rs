@@ -163,6 +163,26 @@ pub(super) fn scalars(octaves: &Octaves, range: Range, out: &mut [[f64; LANES]])
     }
 }
 
+/// The sum of what `octave` makes of the noise of each, and the weight of the next. `N` is their number, or 0 where it
+/// is not known beforehand. A sum begins with what there is of it, a weight, and what that is multiplied by for the next.
+#[inline]
+pub(super) fn scalar_sum<const N: usize>(
+    octaves: &Octaves,
+    range: &Range,
+    (mut sum, mut weight, omega): (f64, f64, f64),
+    octave: impl Fn(usize, f64) -> f64 + Copy,
+) -> (f64, f64) {
+    #[cfg(target_arch = "x86_64")]
+    if let Some(sum) = avx2::scalar_sum::<N>(octaves, range, (sum, weight, omega), octave) {
+        return sum;
+    }
+    for (i, p) in octaves.points().enumerate() {
+        sum += weight * octave(i, range.apply(Cell::at(p).scalar()));
+        weight *= omega;
+    }
+    (sum, weight)
+}
+
 /// Scalar noise of a generator at four points.
 #[inline]
 pub(super) fn four(p: &[Vec3; LANES], range: Range) -> [f64; LANES] {
@@ -257,5 +277,16 @@ mod tests {
             weight *= 0.7;
         }
         assert_eq!(avx2::vector_sum(octaves, 0.7), Some(sum), "{octaves:?}");
+        let bent = |i: usize, n: f64| n * n + i as f64;
+        let (mut sum, mut weight) = (0.1, 0.9);
+        for (i, p) in octaves.points().enumerate() {
+            sum += weight * bent(i, range.apply(Cell::at(p).scalar()));
+            weight *= 0.6;
+        }
+        let start = (0.1, 0.9, 0.6);
+        assert_eq!(avx2::scalar_sum::<0>(octaves, &range, start, bent), Some((sum, weight)), "{octaves:?}");
+        if octaves.count == 6 {
+            assert_eq!(avx2::scalar_sum::<6>(octaves, &range, start, bent), Some((sum, weight)));
+        }
     }
 }

@@ -78,10 +78,9 @@ impl Tracer<'_> {
         let path = source.path(p);
         let cosine = lit.n.dot(path.ray.dir);
         let Some(back) = facing(point, lit, cosine) else { return Vec3A::ZERO };
-        let collects = point.material.photons.collect.unwrap_or(true);
         let light = self.arriving_once(point, i, |tracer| {
             let bare = source.arriving(&path, source.position);
-            tracer.after_shadows(source, &path, bare, point.beam.interiors, collects)
+            tracer.after_shadows(source, &path, bare, &point.start())
         });
         if light.abs().max_element() <= EPS as f32 {
             return Vec3A::ZERO;
@@ -102,9 +101,8 @@ impl Tracer<'_> {
         let Some(grid) = &source.area else { return Rgb::ZERO };
         let p = point.surface.p;
         let centre = source.path(p);
-        let collects = point.material.photons.collect.unwrap_or(true);
         let shadowed = self.arriving_once(point, i, |tracer| {
-            tracer.after_shadows(source, &centre, source.color, point.beam.interiors, collects)
+            tracer.after_shadows(source, &centre, source.color, &point.start())
         });
         if shadowed.abs().max_element() <= EPS as f32 {
             return Rgb::ZERO;

@@ -5,6 +5,7 @@ use raggio_math::Vec3;
 use raggio_shading::{Context, Layer, Texture};
 
 use super::{Beam, Seen, Tracer, for_each_plain, placed};
+use crate::lights::Start;
 use crate::world::WorldTexture;
 
 /// A surface point in work.
@@ -13,6 +14,8 @@ pub struct SurfacePoint<'a> {
     pub beam: &'a Beam<'a>,
     /// How far that ray went.
     pub depth: f64,
+    /// The leaf that was hit, if it is convex.
+    pub convex: Option<u32>,
     /// What is known about it.
     pub surface: &'a Interaction,
     /// What hangs on it.
@@ -37,6 +40,18 @@ impl SurfacePoint<'_> {
     }
 }
 
+impl<'a> SurfacePoint<'a> {
+    /// Where shadow rays begin.
+    #[inline]
+    pub fn start(&self) -> Start<'a> {
+        Start {
+            interiors: self.beam.interiors,
+            collects: self.material.photons.collect.unwrap_or(true),
+            own: self.convex.map(|leaf| (leaf, &self.surface.n)),
+        }
+    }
+}
+
 impl<'w> Tracer<'w> {
     /// What a ray sees that hit a surface.
     pub(super) fn surface(&mut self, beam: &Beam<'_>, hit: &Hit) -> Seen {
@@ -52,6 +67,7 @@ impl<'w> Tracer<'w> {
         let point = SurfacePoint {
             beam,
             depth: hit.t,
+            convex: world.geometry.is_convex(hit.leaf).then_some(hit.leaf),
             n: if surface.from_inside { -surface.n } else { surface.n },
             surface: &surface,
             material,

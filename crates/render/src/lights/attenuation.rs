@@ -151,13 +151,22 @@ fn tube(away: f64, radius: f64, falloff: f64, tightness: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use raggio_geometry::Geometry;
+    use raggio_scene::{Csg, Object, ObjectKind};
+    use std::sync::Arc;
 
     pub(crate) fn light(kind: LightKind) -> scene::Light {
         scene::Light { kind, point_at: Vec3::ZERO, ..scene::Light::new(Vec3::new(0.0, 10.0, 0.0), Rgb::ONE) }
     }
 
+    fn built(light: &scene::Light) -> LightSource {
+        let kind = ObjectKind::Csg { op: Csg::Union, children: Arc::default() };
+        let nothing = Geometry::of_object(&Arc::new(Object::new(kind))).unwrap();
+        LightSource::build(0, light, &nothing).unwrap()
+    }
+
     fn at(light: &scene::Light, p: Vec3) -> f32 {
-        let light = LightSource::build(0, light).unwrap();
+        let light = built(light);
         light.arriving(&light.path(p), light.position).x
     }
 
@@ -203,7 +212,7 @@ mod tests {
     fn parallel_lights_shine_one_way_and_count_distance_along_it() {
         let mut sun = light(LightKind::Point);
         sun.parallel = true;
-        let sun = LightSource::build(0, &sun).unwrap();
+        let sun = built(&sun);
         let path = sun.path(Vec3::new(7.0, 12.0, 3.0));
         assert!((path.ray.dir - Vec3::Y).length() < 1e-12);
         assert!((path.distance + 2.0).abs() < 1e-12);

@@ -4,15 +4,16 @@ mod attenuation;
 mod buffer;
 mod shadow;
 
-use raggio_geometry::{BuildError, Geometry, LightGroupId, Material, Standing};
+use raggio_geometry::{BuildError, Geometry, LightGroupId, Material};
 use raggio_image::Rgb;
 use raggio_math::{Ray, Vec3};
 use raggio_scene as scene;
 
-use buffer::LightBuffer;
+use buffer::{Before, LightBuffer};
 
 pub use area::{AreaGrid, AreaScratch};
 pub use attenuation::Cone;
+pub use shadow::Start;
 
 /// So many lights of a scene have buffers.
 const MOST_BUFFERS: usize = 64;
@@ -65,10 +66,11 @@ impl LightSource {
     ///
     /// # Errors
     /// If the object that it shines through cannot be built.
-    pub fn build(index: usize, light: &scene::Light) -> Result<LightSource, BuildError> {
+    pub fn build(index: usize, light: &scene::Light, geometry: &Geometry) -> Result<LightSource, BuildError> {
         let kind = &light.kind;
         let parallel = light.parallel || matches!(kind, scene::LightKind::Cylinder { .. });
-        let buffered = index < MOST_BUFFERS && !parallel && light.area.is_none();
+        let from_one_point = !parallel && light.area.is_none();
+        let buffered = index < MOST_BUFFERS && from_one_point && !geometry.is_small();
         let through = light.projected_through.as_ref().map(Geometry::of_object).transpose()?;
         Ok(LightSource {
             index,
@@ -78,7 +80,7 @@ impl LightSource {
             color: light.color,
             cone: Cone::new(&light.kind),
             parallel,
-            buffer: buffered.then(|| LightBuffer::new(light.location)),
+            buffer: buffered.then(|| LightBuffer::new(light.location, geometry)),
             shadowless: matches!(light.kind, scene::LightKind::Shadowless),
             fade: attenuation::fade(light),
             area: light.area.as_ref().map(AreaGrid::new),
@@ -91,10 +93,10 @@ impl LightSource {
 
     /// What may stand in the way of light that goes on a path.
     #[inline]
-    pub fn before(&self, path: &Path, geometry: &Geometry) -> &Standing {
+    pub fn before(&self, path: &Path, geometry: &Geometry) -> Before<'_> {
         match &self.buffer {
-            Some(buffer) if !geometry.is_small() => buffer.towards(-path.ray.dir, path.distance, geometry),
-            _ => &Standing::Anything,
+            Some(buffer) => buffer.towards(-path.ray.dir, path.distance, geometry),
+            None => Before::UNKNOWN,
         }
     }
 

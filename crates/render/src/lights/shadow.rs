@@ -1,7 +1,7 @@
 //! Shadow rays: what reaches a surface point of a light (light spec, section 5.4).
 use std::cmp::Reverse;
 
-use raggio_geometry::{Hit, Interaction, InteriorId, Obstacles, RayClass, Shaft, Standing};
+use raggio_geometry::{Hit, Interaction, InteriorId, Obstacles, RayClass, Segment, Shaft, Standing};
 use raggio_image::Rgb;
 use raggio_math::{Ray, Vec3};
 use raggio_scene::PhotonFlags;
@@ -15,6 +15,20 @@ use crate::world::{Passing, World};
 
 /// Nearer than this to either end of a segment nothing casts a shadow.
 pub const SHADOW_TOLERANCE: f64 = 1e-3;
+
+/// Light that arrives at less than this (as a cosine) may meet even a convex surface again.
+const GRAZING: f64 = 1e-4;
+
+/// Where shadow rays begin.
+#[derive(Clone, Copy, Debug)]
+pub struct Start<'a> {
+    /// The interiors around.
+    pub interiors: &'a [InteriorId],
+    /// Do photons count?
+    pub collects: bool,
+    /// The convex leaf on whose surface it is, and its normal.
+    pub own: Option<(u32, &'a Vec3)>,
+}
 
 /// A surface that a shadow ray goes through.
 struct Crossing {
@@ -34,17 +48,18 @@ struct Crossings<'a> {
     list: SmallVec<[Crossing; 6]>,
 }
 
+impl Start<'_> {
+    /// The leaf that does not stand in the way of light that comes in on a path.
+    #[inline]
+    fn own_before(&self, path: &Path) -> Option<u32> {
+        self.own.and_then(|(leaf, n)| (n.dot(path.ray.dir) > GRAZING).then_some(leaf))
+    }
+}
+
 impl Tracer<'_> {
-    /// What is left of `light` at the start of the way to its source after everything on that way. Area lights give their mean. Where
-    /// photons count (`collects`), light through their targets is left to them.
-    pub fn after_shadows(
-        &mut self,
-        source: &LightSource,
-        path: &Path,
-        light: Rgb,
-        interiors: &[InteriorId],
-        collects: bool,
-    ) -> Rgb {
+    /// What is left of `light` at the start of the way to its source after everything on that way. Area lights give
+    /// their mean. Where photons count, light through their targets is left to them.
+    pub fn after_shadows(&mut self, source: &LightSource, path: &Path, light: Rgb, start: &Start<'_>) -> Rgb {
         if light == Rgb::ZERO || !self.quality.shadows() {
             return light;
         }
@@ -52,11 +67,15 @@ impl Tracer<'_> {
             return light;
         }
         let Some(grid) = source.area.as_ref().filter(|_| self.quality.area_lights()) else {
-            let standing = source.before(path, &self.world.geometry);
-            return self.walk_to_light(source, path, light, interiors, collects, standing);
+            let before = source.before(path, &self.world.geometry);
+            let clear = before.is_clear(start.own_before(path));
+            if clear && self.is_clear(source) && source.projected_through.is_none() {
+                return light;
+            }
+            return self.walk_to_light(source, path, light, start, before.standing);
         };
         let mut scratch = self.area_scratch.take().unwrap_or_default();
-        let mean = self.after_soft_shadows(source, grid, path, light, interiors, collects, &mut scratch);
+        let mean = self.after_soft_shadows(source, grid, path, light, start, &mut scratch);
         self.area_scratch = Some(scratch);
         mean
     }
@@ -69,8 +88,7 @@ impl Tracer<'_> {
         grid: &AreaGrid,
         path: &Path,
         light: Rgb,
-        interiors: &[InteriorId],
-        collects: bool,
+        start: &Start<'_>,
         scratch: &mut AreaScratch,
     ) -> Rgb {
         let p = path.ray.origin;
@@ -86,7 +104,7 @@ impl Tracer<'_> {
         let screened = clear && world.geometry.screen(&scratch.standing, p, stops, &mut scratch.screen);
         let view = View { light: source, grid, p, to_light: path.ray.dir, screened, open: light, random };
         view.average(scratch, |from, standing| {
-            self.walk_to_light(source, &source.path_to(p, from), light, interiors, collects, standing)
+            self.walk_to_light(source, &source.path_to(p, from), light, start, standing)
         })
     }
 
@@ -115,8 +133,7 @@ impl Tracer<'_> {
         source: &LightSource,
         path: &Path,
         light: Rgb,
-        interiors: &[InteriorId],
-        collects: bool,
+        start: &Start<'_>,
         standing: &Standing,
     ) -> Rgb {
         let world = self.world;
@@ -129,14 +146,15 @@ impl Tracer<'_> {
                 Some(hit) => distance = hit.t,
             }
         }
-        let replaced = collects && self.photons.as_ref().is_some_and(|photons| photons.on_surfaces());
+        let replaced = start.collects && self.photons.as_ref().is_some_and(|photons| photons.on_surfaces());
         let replaced = replaced.then_some(&source.photons);
         let mut crossings = Crossings { world, ray, replaced, list: SmallVec::new() };
         if distance > 2.0 * SHADOW_TOLERANCE {
             let range = (SHADOW_TOLERANCE, distance - SHADOW_TOLERANCE);
             let guess = &mut self.blockers[source.index];
             let geometry = &world.geometry;
-            if geometry.is_stopped(ray, range, SHADOW_TOLERANCE, standing, guess, &mut crossings) {
+            let segment = Segment { ray, range, gap: SHADOW_TOLERANCE, own: start.own_before(path) };
+            if geometry.is_stopped(&segment, standing, guess, &mut crossings) {
                 return Rgb::ZERO;
             }
         }
@@ -146,7 +164,7 @@ impl Tracer<'_> {
             return light;
         }
         let list = crossings.sorted();
-        self.through(source, ray, distance, light, interiors, list, (hazy, misty))
+        self.through(source, ray, distance, light, start.interiors, list, (hazy, misty))
     }
 
     /// What is left of light after the surfaces on its way and what lies between them: media where it is `hazy`, and

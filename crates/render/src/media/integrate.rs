@@ -10,6 +10,7 @@ use super::phase::phase;
 use super::reach::Reach;
 use super::{Joined, Medium, exp};
 use crate::integrator::Tracer;
+use crate::lights::Start;
 
 /// Everything that stays the same along a segment.
 pub(super) struct Along<'a> {
@@ -322,7 +323,8 @@ impl Tracer<'_> {
             let path = source.path(p);
             let bare = source.arriving(&path, source.position);
             let collects = along.media.iter().any(|m| m.collect);
-            let light = self.after_shadows(source, &path, bare, along.interiors, collects);
+            let start = Start { interiors: along.interiors, collects, own: None };
+            let light = self.after_shadows(source, &path, bare, &start);
             if light != Rgb::ZERO {
                 glow += scattered * light * mean_phase(&along.media, path.ray.dir.dot(along.ray.dir));
             }

@@ -92,6 +92,7 @@ impl Tracer<'_> {
         let point = SurfacePoint {
             beam,
             depth: hit.t,
+            convex: None,
             n: if surface.from_inside { -surface.n } else { surface.n },
             surface: &surface,
             material,

@@ -10,7 +10,7 @@ use raggio_math::{EPS, MIN_HIT, Ray, Vec3};
 use super::{Site, fresnel_transmission};
 use crate::integrator::refraction::refracted_direction;
 use crate::integrator::{Beam, Tracer};
-use crate::lights::LightSource;
+use crate::lights::{LightSource, Start};
 use crate::sampling::halton;
 
 /// A place where light enters.
@@ -36,7 +36,8 @@ impl Tracer<'_> {
         let path = light.path(p);
         let bare = light.arriving(&path, light.position);
         let collects = site.point.material.photons.collect.unwrap_or(true);
-        (self.after_shadows(light, &path, bare, &[], collects), path.ray.dir)
+        let start = Start { interiors: &[], collects, own: None };
+        (self.after_shadows(light, &path, bare, &start), path.ray.dir)
     }
 
     /// Light that was scattered so often that its direction is lost.

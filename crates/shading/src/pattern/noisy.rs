@@ -1,7 +1,7 @@
 //! Patterns made of noise, turbulence and waves.
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-use raggio_math::noise::{doctaves, dturbulence, noise4, octaves, turbulence};
+use raggio_math::noise::{doctaves, dturbulence, noise4, octave_sum, turbulence};
 use raggio_math::{Vec2, Vec3};
 use raggio_scene as scene;
 
@@ -29,12 +29,7 @@ pub(super) fn agate(p: Vec3, noise: u8, turbulence: &Turbulence, strength: f64) 
 }
 
 pub(super) fn granite(p: Vec3, generator: u8) -> f64 {
-    let (mut sum, mut weight) = (0.0, 1.0);
-    for n in octaves::<6>(generator, p, 4.0, 2.0) {
-        sum += weight * grain(n, generator);
-        weight *= 0.5;
-    }
-    sum
+    octave_sum::<6>(generator, p, 4.0, (0.0, 1.0), |n| grain(n, generator)).0
 }
 
 pub(super) fn granite4(points: &[Vec3; 4], generator: u8) -> [f64; 4] {
@@ -46,31 +41,13 @@ fn grain(n: f64, generator: u8) -> f64 {
 }
 
 pub(super) fn wrinkles(p: Vec3, generator: u8) -> f64 {
-    add_wrinkles::<10>((0.0, 0.5), p, 1.0, generator).0
+    octave_sum::<10>(generator, p, 1.0, (0.0, 0.5), |n| wrinkle(n, generator)).0
 }
 
 /// The value of `wrinkles`; `None` where its first four octaves are above `bound` already, as the others only add.
 pub(super) fn wrinkles_unless_above(p: Vec3, bound: f64, generator: u8) -> Option<f64> {
-    let first = add_wrinkles::<4>((0.0, 0.5), p, 1.0, generator);
-    if first.0 > bound {
-        return None;
-    }
-    Some(add_wrinkles::<6>(first, p, 16.0, generator).0)
-}
-
-/// Adds octaves to a sum, the first at a scale; gives the sum and the weight of the next.
-#[inline(always)]
-fn add_wrinkles<const N: usize>(
-    (mut sum, mut weight): (f64, f64),
-    p: Vec3,
-    scale: f64,
-    generator: u8,
-) -> (f64, f64) {
-    for n in octaves::<N>(generator, p, scale, 2.0) {
-        sum += weight * wrinkle(n, generator);
-        weight *= 0.5;
-    }
-    (sum, weight)
+    let first = octave_sum::<4>(generator, p, 1.0, (0.0, 0.5), |n| wrinkle(n, generator));
+    (first.0 <= bound).then(|| octave_sum::<6>(generator, p, 16.0, first, |n| wrinkle(n, generator)).0)
 }
 
 pub(super) fn wrinkles4(points: &[Vec3; 4], generator: u8) -> [f64; 4] {
