@@ -321,12 +321,11 @@ impl Part {
             Kind::Slabs { low, high, .. } => {
                 let (mut entry, mut exit) = ([f64::NEG_INFINITY; RAYS], [f64::INFINITY; RAYS]);
                 for i in 0..3 {
-                    for k in 0..RAYS {
-                        let inverse = 1.0 / dir[i][k];
-                        let (a, b) = (low[i] * inverse, high[i] * inverse);
-                        entry[k] = greater(lesser(a, b), entry[k]);
-                        exit[k] = lesser(greater(a, b), exit[k]);
-                    }
+                    // Step by step, so that the compiler keeps eight together: it took the divisions one by one.
+                    let inverse = each(|k| 1.0 / dir[i][k]);
+                    let (a, b) = (each(|k| low[i] * inverse[k]), each(|k| high[i] * inverse[k]));
+                    entry = each(|k| greater(lesser(a[k], b[k]), entry[k]));
+                    exit = each(|k| lesser(greater(a[k], b[k]), exit[k]));
                 }
                 ([entry, exit], [each(|k| (exit[k] - entry[k]) * rays.slack[k]); 2])
             }

@@ -58,6 +58,9 @@ impl Mul for Bounds {
                 _ => Bounds::UNKNOWN,
             };
         }
+        if let Some(scaled) = self.scaled(&o).or_else(|| o.scaled(&self)) {
+            return scaled;
+        }
         let slope = |k: usize| self.slopes[k] * o.value + o.slopes[k] * self.value;
         Bounds::new(self.value * o.value, each(slope))
     }
@@ -98,6 +101,13 @@ macro_rules! with_numbers {
 with_numbers! { Add add Sub sub Mul mul Div div }
 
 impl Bounds {
+    /// What is known, times a number other than zero; `None` if the factor is none.
+    #[inline]
+    fn scaled(&self, factor: &Bounds) -> Option<Bounds> {
+        let k = factor.as_constant().filter(|&k| k != 0.0 && k.is_finite())?;
+        Some(Bounds::new(self.value.scaled(k), each(|axis| self.slopes[axis].scaled(k))))
+    }
+
     /// An angle that is known but for whole turns, times a whole number.
     fn turned(&self, k: f64) -> Bounds {
         if self.turns == 0.0 || self.value.is_all() || k != k.trunc() || k == 0.0 {

@@ -83,6 +83,13 @@ impl Range {
         if lo <= hi { Range { lo, hi } } else { self }
     }
 
+    /// The products with a number that is neither zero nor infinite.
+    #[inline]
+    pub(super) fn scaled(self, k: f64) -> Range {
+        let (a, b) = (self.lo * k, self.hi * k);
+        if k > 0.0 { Range { lo: a, hi: b } } else { Range { lo: b, hi: a } }
+    }
+
     /// The squares.
     #[inline]
     pub fn squared(self) -> Range {

@@ -98,8 +98,6 @@ pub(super) struct Model {
     /// The slopes along the axes: their middles, and how far they are to either side of them.
     slope: Vec3,
     spread: Vec3,
-    /// How far off the value may be anywhere in the box.
-    off: f64,
 }
 
 impl Model {
@@ -136,12 +134,6 @@ impl Model {
         self.spread.dot(d.abs())
     }
 
-    /// How far off the value may be anywhere in the box.
-    #[inline(always)]
-    pub(super) fn off(&self) -> f64 {
-        self.off
-    }
-
     /// Where the slope along a direction lies.
     #[inline]
     pub(super) fn along(&self, dir: Vec3) -> Range {
@@ -173,6 +165,12 @@ impl Cell {
     #[inline]
     pub(super) fn is_positive(&self, sign: f64) -> bool {
         self.kind == if sign > 0.0 { Kind::Above } else { Kind::Below }
+    }
+
+    /// The halves of a box that was cut late, if it was.
+    #[inline(always)]
+    pub(super) fn late_halves(&self) -> Option<&[Cell; 2]> {
+        if self.kind < Kind::Open { self.halves.get() } else { None }
     }
 
     /// How many boxes were made of this one, with itself.
@@ -292,10 +290,10 @@ impl Field {
 
     /// The halves of a box that is cut.
     #[inline(always)]
-    pub(super) fn halves<'a>(&self, cell: &'a Cell) -> Option<&'a [Cell; 2]> {
+    pub(super) fn halves<'a>(&self, cell: &'a Cell) -> &'a [Cell; 2] {
         match cell.halves.get() {
-            None if cell.kind < Kind::LateX => Some(self.cut(cell)),
-            halves => halves,
+            Some(halves) => halves,
+            None => self.cut(cell),
         }
     }
 
@@ -331,13 +329,11 @@ impl Field {
         let found = self.function.enclose(&[variable(0), variable(1), variable(2)]);
         let centre = bounds.centre();
         let half = bounds.size() * 0.5;
-        let spread = Vec3::from(found.slopes.map(|s| 0.5 * s.width()));
         let model = Model {
             centre,
             middle: self.function.eval(&centre.to_array()) - self.threshold,
             slope: Vec3::from(found.slopes.map(Range::middle)),
-            spread,
-            off: spread.dot(half),
+            spread: Vec3::from(found.slopes.map(|s| 0.5 * s.width())),
         };
         let mut value = found.value + Range::one(-self.threshold);
         if !value.is_all() && model.is_known() {

@@ -135,9 +135,11 @@ impl<'a> Search<'a> {
             return self.first(&grid, first, last, steepest).map(|s| s.t);
         };
         let mut progress = Progress { done: 0, unknown_from: 0, last: first, least: value.lo };
-        while let Some((cell, stretch)) =
-            walk.next(|cell, stretch| self.is_free(cell, stretch, &mut progress.least))
-        {
+        while let Some((cell, stretch)) = walk.next() {
+            if self.is_free(cell, stretch, &mut progress.least) {
+                continue;
+            }
+            walk.remember(cell, stretch);
             let last = if stretch.1 < end { (grid.not_before(stretch.1) - 1).max(0) } else { grid.count };
             let first = grid.not_before(stretch.0).max(progress.done + 1);
             // Behind a stretch that is not free the value may be anything.
@@ -171,10 +173,6 @@ impl<'a> Search<'a> {
         let (entry, from_centre) = model.near(self.ray.at(from));
         let entry = self.sign * entry;
         let exit = entry + rise * length;
-        if lesser(entry, exit) >= model.off() {
-            *least = exit - model.off();
-            return true;
-        }
         let entry = entry - model.off_at(from_centre);
         let exit = exit - model.off_at(from_centre + self.ray.dir * length);
         // Between the ends what the model allows is not less than at one of them.
@@ -205,7 +203,7 @@ impl<'a> Search<'a> {
         if let Some((a, b)) = ends.filter(|_| slope.hi <= 0.0) {
             let before = self.postponed(grid, progress);
             (progress.done, progress.unknown_from) = (last, last);
-            return before.or_else(|| self.falling(grid, a, b, slope));
+            return if before.is_some() { before } else { self.falling(grid, a, b, slope) };
         }
         let Some(((a, b), slope)) = ends.zip(self.telling(slope)) else {
             if progress.done + 1 < first || progress.unknown_from >= progress.done {
@@ -356,12 +354,6 @@ struct Known {
 #[inline(always)]
 fn greater(a: f64, b: f64) -> f64 {
     if a > b { a } else { b }
-}
-
-/// The lesser of two numbers.
-#[inline(always)]
-fn lesser(a: f64, b: f64) -> f64 {
-    if a < b { a } else { b }
 }
 
 /// The least value that a function with slopes in a range can have on a way between two values.

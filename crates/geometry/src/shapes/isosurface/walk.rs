@@ -6,27 +6,14 @@ use super::field::{Cell, Field, Kind, MOST_LATE_CUTS};
 /// Room for as many boxes as can wait.
 const ROOM: usize = MOST_LATE_CUTS as usize + 2;
 
-/// A ray along one axis.
-#[derive(Clone, Copy)]
-struct AxisRay {
-    origin: f64,
-    inverse: f64,
-    /// Which half of a box comes first: the upper one where the ray goes backwards.
-    near: usize,
-}
-
-impl AxisRay {
-    #[inline(always)]
-    fn new(origin: f64, along: f64, inverse: f64) -> Self {
-        AxisRay { origin, inverse, near: usize::from(along.is_sign_negative()) }
-    }
-}
-
 /// A ray's way through the boxes that are not cut, in their order.
 pub(super) struct Walk<'a> {
     field: &'a Field,
-    /// The fourth is none.
-    axes: [AxisRay; 4],
+    /// By axis; the fourth is none.
+    origin: [f64; 4],
+    inverse: [f64; 4],
+    /// Bits of the axes along which the ray goes backwards: there the upper half of a box comes first.
+    backwards: usize,
     /// Where the ray goes on, and where its way ends.
     at: f64,
     end: f64,
@@ -41,34 +28,37 @@ pub(super) struct Walk<'a> {
 
 impl<'a> Walk<'a> {
     /// The way of a ray, whose direction's inverse is known, between two parameters.
-    #[inline(always)]
+    #[inline]
     pub(super) fn new(field: &'a Field, ray: &Ray, inverse: Vec3, (from, end): (f64, f64)) -> Self {
-        let Ray { origin, dir } = ray;
-        let axes = [
-            AxisRay::new(origin.x, dir.x, inverse.x),
-            AxisRay::new(origin.y, dir.y, inverse.y),
-            AxisRay::new(origin.z, dir.z, inverse.z),
-            AxisRay::new(0.0, 0.0, 0.0),
-        ];
+        let back = |along: f64| usize::from(along.is_sign_negative());
         let root = field.root();
-        Walk { field, axes, at: from, end, waiting: [(root, end); ROOM], count: 1, last: (root, end), from }
+        Walk {
+            field,
+            origin: [ray.origin.x, ray.origin.y, ray.origin.z, 0.0],
+            inverse: [inverse.x, inverse.y, inverse.z, 0.0],
+            backwards: back(ray.dir.x) | back(ray.dir.y) << 1 | back(ray.dir.z) << 2,
+            at: from,
+            end,
+            waiting: [(root, end); ROOM],
+            count: 1,
+            last: (root, end),
+            from,
+        }
     }
 
-    /// The next box that is not cut and where the stretch of the ray is not free, and this stretch.
-    #[inline]
-    pub(super) fn next(
-        &mut self,
-        mut is_free: impl FnMut(&Cell, (f64, f64)) -> bool,
-    ) -> Option<(&'a Cell, (f64, f64))> {
-        while let Some((cell, to)) = self.pop() {
-            let stretch = (self.at, to);
-            self.at = to;
-            if !is_free(cell, stretch) {
-                (self.from, self.last) = (stretch.0, (cell, to));
-                return Some((cell, stretch));
-            }
-        }
-        None
+    /// The next box that is not cut, and the stretch of the ray in it.
+    #[inline(always)]
+    pub(super) fn next(&mut self) -> Option<(&'a Cell, (f64, f64))> {
+        let (cell, to) = self.pop()?;
+        let stretch = (self.at, to);
+        self.at = to;
+        Some((cell, stretch))
+    }
+
+    /// Remembers a box as the last that was not free.
+    #[inline(always)]
+    pub(super) fn remember(&mut self, cell: &'a Cell, (from, to): (f64, f64)) {
+        (self.from, self.last) = (from, (cell, to));
     }
 
     /// The box that is not cut where the walk goes on, and where the ray leaves it. The parts around it that the ray
@@ -77,28 +67,42 @@ impl<'a> Walk<'a> {
     fn pop(&mut self) -> Option<(&'a Cell, f64)> {
         let mut count = self.count.checked_sub(1)?;
         let (mut cell, mut to) = *self.waiting.get(count)?;
-        let from = self.at;
-        while cell.kind < Kind::Open {
-            let Some(halves) = self.field.halves(cell) else { break };
-            let axis = &self.axes[cell.kind.axis()];
-            let near = axis.near & 1;
-            // Along the plane this is infinite, with the sign that leads to the side where the ray is.
-            let crossing = (cell.plane - axis.origin) * axis.inverse;
-            if crossing <= from {
-                cell = &halves[near ^ 1];
-                continue;
+        loop {
+            while cell.kind < Kind::LateX {
+                let halves = self.field.halves(cell);
+                (cell, to) = self.step(cell, halves, cell.kind as usize & 3, to, &mut count);
             }
-            cell = &halves[near];
-            // Whether the other half is reached is hard to foresee, so it is written down in any case.
-            if let Some(waiting) = self.waiting.get_mut(count) {
-                *waiting = (&halves[near ^ 1], to);
-            }
-            let comes_there = crossing < to;
-            count += usize::from(comes_there);
-            to = if comes_there { crossing } else { to };
+            // Few have been cut late.
+            let Some(halves) = cell.late_halves() else { break };
+            (cell, to) = self.step(cell, halves, cell.kind.axis(), to, &mut count);
         }
         self.count = count;
         Some((cell, to))
+    }
+
+    /// The half of a box where the walk goes on, and where the ray leaves it. The other half waits, if the ray comes there.
+    #[inline(always)]
+    fn step(
+        &mut self,
+        cell: &Cell,
+        halves: &'a [Cell; 2],
+        axis: usize,
+        to: f64,
+        count: &mut usize,
+    ) -> (&'a Cell, f64) {
+        let near = self.backwards >> axis & 1;
+        // Along the plane this is infinite, with the sign that leads to the side where the ray is.
+        let crossing = (cell.plane - self.origin[axis]) * self.inverse[axis];
+        if crossing <= self.at {
+            return (&halves[near ^ 1], to);
+        }
+        // Whether the other half is reached is hard to foresee, so it is written down in any case.
+        if let Some(waiting) = self.waiting.get_mut(*count) {
+            *waiting = (&halves[near ^ 1], to);
+        }
+        let comes_there = crossing < to;
+        *count += usize::from(comes_there);
+        (&halves[near], if comes_there { crossing } else { to })
     }
 
     /// The box that is not cut where the walk goes on, and where the ray leaves it.
