@@ -183,8 +183,14 @@ impl Pigment {
     pub(crate) fn ask(&self, p: Vec3, context: &Context) -> Sample {
         match self.number.get() {
             None => self.sample(p, context),
-            Some(number) => remembered(&ONE, number, [p], || [self.sample(p, context)])[0],
+            Some(number) => self.remembered(number, p, context),
         }
+    }
+
+    /// Not inlined: the way without memory is to stay short.
+    #[inline(never)]
+    fn remembered(&self, number: u32, p: Vec3, context: &Context) -> Sample {
+        remembered(&ONE, number, [p], || [self.sample(p, context)])[0]
     }
 
     /// [`Pigment::sample4`], maybe from memory.

@@ -2,7 +2,6 @@
 use std::collections::HashSet;
 use std::marker::PhantomData;
 
-use raggio_math::Aabb;
 use rayon::prelude::*;
 
 use super::{Block, LEAF};
@@ -39,7 +38,7 @@ pub(super) fn loose(vertices: &[V3], corners: &[[u32; 3]]) -> bool {
 }
 
 /// A tree over triangles, and a box around them.
-pub(super) fn build<B: Block>(vertices: &[V3], corners: &[[u32; 3]]) -> (Tree<B>, Aabb) {
+pub(super) fn build<B: Block>(vertices: &[V3], corners: &[[u32; 3]]) -> (Tree<B>, Bounds) {
     let triangles = Triangles::<B> { vertices, corners, kind: PhantomData };
     let prim = |i: usize| triangles.prim(i);
     let prims: Vec<Prim> = match corners.len() < LARGE {
@@ -49,9 +48,9 @@ pub(super) fn build<B: Block>(vertices: &[V3], corners: &[[u32; 3]]) -> (Tree<B>
     let (mut tree, bounds) = build::build(&triangles, prims);
     if tree.nodes.is_empty() {
         tree.nodes.push(Node::EMPTY);
-        return (tree, Aabb::EMPTY);
+        return (tree, Bounds::EMPTY);
     }
-    (tree, bounds.aabb())
+    (tree, bounds)
 }
 
 impl<B: Block> Triangles<'_, B> {

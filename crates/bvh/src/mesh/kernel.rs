@@ -161,6 +161,26 @@ macro_rules! kernel {
                     }
                 }
 
+                /// Of the children of a node that are in the mask, two or more, the one that the ray enters first. The
+                /// others are shown to `wait`.
+                #[inline]
+                #[target_feature(enable = $features)]
+                fn nearest(&self, node: u32, mut mask: u32, near: __m256, mut wait: impl FnMut(u32)) -> u32 {
+                    let mut t = [0.0f32; 8];
+                    // SAFETY: eight floats are written to an array of eight.
+                    unsafe { _mm256_storeu_ps(t.as_mut_ptr(), near) };
+                    let child = |slot: usize| entry(t[slot & 7], self.child(node, slot));
+                    let mut nearest = child(mask.trailing_zeros() as usize);
+                    while mask & (mask - 1) != 0 {
+                        mask &= mask - 1;
+                        let other = child(mask.trailing_zeros() as usize);
+                        self.prefetch(other as u32);
+                        wait(nearest.max(other) as u32);
+                        nearest = nearest.min(other);
+                    }
+                    nearest as u32
+                }
+
                 /// The block that a leaf's word names.
                 #[inline(always)]
                 fn block(&self, word: u32) -> &B {
@@ -201,14 +221,22 @@ macro_rules! kernel {
                             word = boxes.child(word, first);
                             continue;
                         }
-                        let mut nearest = entry(t[first], boxes.child(word, first));
-                        boxes.prefetch(nearest as u32);
+                        let child = |slot: usize| {
+                            let word = boxes.child(word, slot);
+                            boxes.prefetch(word);
+                            entry(t[slot & 7], word)
+                        };
+                        // Mostly there are two.
+                        let (one, other) = (child(first), child(mask.trailing_zeros() as usize));
+                        mask &= mask - 1;
+                        let mut nearest = one.min(other);
+                        // SAFETY: top stays under STACK by the builder's depth bound.
+                        unsafe { stack.get_unchecked_mut(top).write(one.max(other)) };
                         let base = top;
+                        top += 1;
                         while mask != 0 {
-                            let slot = mask.trailing_zeros() as usize;
+                            let other = child(mask.trailing_zeros() as usize);
                             mask &= mask - 1;
-                            let other = entry(t[slot & 7], boxes.child(word, slot));
-                            boxes.prefetch(other as u32);
                             let (near, far) =
                                 if other < nearest { (other, nearest) } else { (nearest, other) };
                             nearest = near;
@@ -259,23 +287,50 @@ macro_rules! kernel {
                 (nearest.triangle != u32::MAX).then_some(nearest)
             }
 
+            /// [`MeshBvh::is_outside`] for the start of a ray.
+            #[inline]
+            #[target_feature(enable = $features)]
+            fn is_outside(bvh: &MeshBvh, ray: &MeshRay) -> bool {
+                let (lo, hi) = (&bvh.bounds.lo, &bvh.bounds.hi);
+                // SAFETY: four floats each, aligned to 16 by their types; the fourth is not looked at.
+                let (p, lo, hi) = unsafe {
+                    (_mm_load_ps(ray.origin.as_ptr()), _mm_load_ps(lo.as_ptr()), _mm_load_ps(hi.as_ptr()))
+                };
+                let beyond = _mm_or_ps(_mm_cmplt_ps(p, lo), _mm_cmplt_ps(hi, p));
+                _mm_movemask_ps(beyond) & 0b111 != 0
+            }
+
             #[target_feature(enable = $features)]
             pub(super) fn any<B: Block>(bvh: &MeshBvh, blocks: &[B], ray: &MeshRay) -> bool {
                 let (boxes, single) = (Boxes::single(bvh, blocks, ray), Single::new(ray));
                 let t_max = _mm256_set1_ps(ray.t_max);
+                // To choose the nearest takes longer than it saves where the tree is at hand.
+                let near_first = bvh.far_off && is_outside(bvh, ray);
                 let mut stack = [MaybeUninit::<u32>::uninit(); STACK];
                 let mut top = 0usize;
                 let mut word = ROOT;
                 loop {
                     while word & LEAF == 0 {
-                        let (mut mask, _) = boxes.enter(word, t_max);
+                        let (mut mask, near) = boxes.enter(word, t_max);
                         if mask == 0 {
                             word = u32::MAX;
                             break;
                         }
                         let node = word;
+                        let rest = mask & (mask - 1);
                         word = boxes.child(node, mask.trailing_zeros() as usize);
-                        mask &= mask - 1;
+                        if rest == 0 {
+                            continue;
+                        }
+                        if near_first {
+                            // SAFETY: top stays under STACK by the builder's depth bound.
+                            word = boxes.nearest(node, mask, near, |far| unsafe {
+                                stack.get_unchecked_mut(top).write(far);
+                                top += 1;
+                            });
+                            continue;
+                        }
+                        mask = rest;
                         // The last of them is the smallest, and asked first.
                         while mask != 0 {
                             // SAFETY: top stays under STACK by the builder's depth bound.

@@ -27,7 +27,7 @@ use raggio_math::{Aabb, Ray};
 
 pub(crate) use block::{Block, Blocks};
 
-use crate::build::{MAX_DEPTH, Tree};
+use crate::build::{Bounds, MAX_DEPTH, Tree};
 use crate::node::{Child, Node};
 
 /// A ray in single precision with the range that counts.
@@ -91,7 +91,7 @@ pub(crate) const STACK: usize = MAX_DEPTH * 7 + 8;
 pub struct MeshBvh {
     pub(crate) nodes: Vec<Node>,
     pub(crate) blocks: Blocks,
-    bounds: Aabb,
+    bounds: Bounds,
     isa: wide::Isa,
     /// Is most of it in no cache, so that rays had better call for their next nodes early?
     far_off: bool,
@@ -154,7 +154,7 @@ impl MeshBvh {
         }
     }
 
-    fn of<B: Block>((tree, bounds): (Tree<B>, Aabb), kind: fn(Vec<B>) -> Blocks) -> MeshBvh {
+    fn of<B: Block>((tree, bounds): (Tree<B>, Bounds), kind: fn(Vec<B>) -> Blocks) -> MeshBvh {
         let Tree { mut nodes, leaves } = tree;
         for word in nodes.iter_mut().flat_map(|node| &mut node.child) {
             let leaf = *word & LEAF;
@@ -173,7 +173,14 @@ impl MeshBvh {
 
     /// A box around all triangles.
     pub fn bounds(&self) -> Aabb {
-        self.bounds
+        self.bounds.aabb()
+    }
+
+    /// Is a point outside the box around all triangles? What a ray from there hits first is mostly near. One from within
+    /// goes far where it is free, and had better ask the smallest children, whose triangles are large.
+    #[inline]
+    pub(crate) fn is_outside(&self, p: &[f32; 3]) -> bool {
+        (0..3).any(|k| p[k] < self.bounds.lo[k] || p[k] > self.bounds.hi[k])
     }
 
     /// A few boxes around parts of the mesh, which together hold all triangles: those of the top two levels. Turned,

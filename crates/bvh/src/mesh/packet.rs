@@ -296,7 +296,7 @@ mod x86 {
         // SAFETY: sixteen floats, aligned to 64 by the type.
         let t_max = unsafe { _mm512_load_ps(packet.t_max.as_ptr()) };
         let mut found = 0u16;
-        walk::<B, false>(bvh, blocks, &bundle, t_max, |block, mut t_max| {
+        let leaf = |block: &B, mut t_max| {
             for lane in 0..block.lanes() {
                 let (mask, _) = bundle.hit(block, lane, t_max);
                 found |= mask;
@@ -304,7 +304,11 @@ mod x86 {
                 t_max = _mm512_mask_mov_ps(t_max, mask, _mm512_set1_ps(f32::NEG_INFINITY));
             }
             (found != 0xffff).then_some(t_max)
-        });
+        };
+        match bvh.is_outside(&packet.ray(0).origin) {
+            true => walk::<B, true>(bvh, blocks, &bundle, t_max, leaf),
+            false => walk::<B, false>(bvh, blocks, &bundle, t_max, leaf),
+        }
         Some(found)
     }
 }

@@ -1,8 +1,8 @@
 //! Moving the vertices of a mesh under a tree that is there already, as for the next frame of an animation.
-use raggio_math::Aabb;
 use rayon::prelude::*;
 
 use super::{Block, LEAF, MeshBvh, block};
+use crate::build::LARGE;
 use crate::node::WIDTH;
 
 impl MeshBvh {
@@ -10,7 +10,11 @@ impl MeshBvh {
     /// of building. Answers are as right as those of a new tree, but take longer the less alike the places are.
     pub fn refit(&mut self, vertices: &[[f32; 3]], triangles: &[[u32; 3]]) {
         let whole = with_blocks!(&mut self.blocks, list => {
-            list.par_iter_mut().map(|block| block.refit(vertices, triangles)).reduce(|| true, |a, b| a & b)
+            let both = |a: bool, b: bool| a & b;
+            match triangles.len() < LARGE {
+                true => list.iter_mut().map(|block| block.refit(vertices, triangles)).fold(true, both),
+                false => list.par_iter_mut().map(|block| block.refit(vertices, triangles)).reduce(|| true, both),
+            }
         });
         // Corners that had one place and part want other blocks.
         if !whole {
@@ -32,6 +36,6 @@ impl MeshBvh {
                 self.nodes[at].set_bounds(slot, &bounds);
             }
         }
-        self.bounds = self.nodes[0].children().fold(Aabb::EMPTY, |all, (b, _)| all.union(&b));
+        self.bounds = self.nodes[0].bounds();
     }
 }

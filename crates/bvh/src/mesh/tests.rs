@@ -71,7 +71,11 @@ fn every_kernel_agrees_with_brute_force() {
                 if let (Some(a), Some(b)) = (found, expected) {
                     assert!((a - b).abs() <= 1e-5 * b.abs().max(1.0), "{isa:?} {a} {b}");
                 }
-                assert_eq!(bvh.any(&ray), expected.is_some(), "{isa:?}");
+                // Large trees are asked in another order.
+                for far_off in [true, false] {
+                    bvh.far_off = far_off;
+                    assert_eq!(bvh.any(&ray), expected.is_some(), "{isa:?} {far_off}");
+                }
             }
         }
     }

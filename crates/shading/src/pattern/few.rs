@@ -39,6 +39,9 @@ pub(super) struct Few {
 }
 
 impl Few {
+    /// No points, and no place for any.
+    const NOTHING: Few = Few { count: 0, points: [[0.0; MOST]; 3] };
+    /// No points yet.
     const NONE: Few = Few { count: 0, points: [[f64::INFINITY; MOST]; 3] };
 
     /// Those of a ball, unless they are many.
@@ -125,21 +128,22 @@ impl Few {
 
 /// A part of space with what counts in it.
 struct Block {
-    /// Its lower corner, in parts of a unit.
-    place: Vec3,
+    /// Its lower corner, in parts of a unit, with `ROUND` added.
+    mark: Vec3,
     /// Everywhere in it the second nearest point is so much farther than the nearest.
     least: f64,
     few: Few,
 }
 
 impl Block {
-    /// No place: NaN equals nothing.
-    const NOWHERE: Block = Block { place: Vec3::NAN, least: 0.0, few: Few::NONE };
+    /// No place. All is zero, so that memory costs nothing where nobody asks.
+    const NOWHERE: Block = Block { mark: Vec3::ZERO, least: 0.0, few: Few::NOTHING };
 
     #[cold]
-    fn fill(&mut self, place: Vec3) {
-        self.place = place;
-        let [first, second] = self.few.gather((place + 0.5) / FINENESS, HALF_DIAGONAL);
+    fn fill(&mut self, mark: Vec3) {
+        self.mark = mark;
+        let middle = (mark - ROUND + 0.5) / FINENESS;
+        let [first, second] = self.few.gather(middle, HALF_DIAGONAL);
         self.least = second.sqrt() - first.sqrt() - 2.0 * HALF_DIAGONAL - MARGIN;
         // Of points that evaluation does not look at nothing is known.
         if self.few.count == 0 {
@@ -155,15 +159,14 @@ pub(super) fn of_two_nearest(q: Vec3, bound: f64, answer: impl FnOnce(f64, f64) 
     if !q.abs().cmplt(Vec3::splat(FARTHEST)).all() {
         return f64::NAN;
     }
-    let rounded = (q * FINENESS - 0.5) + ROUND;
-    let place = rounded - ROUND;
-    let mixed = rounded.x.to_bits().wrapping_mul(73_856_093)
-        ^ rounded.y.to_bits().wrapping_mul(19_349_663)
-        ^ rounded.z.to_bits().wrapping_mul(83_492_791);
+    let mark = (q * FINENESS - 0.5) + ROUND;
+    let mixed = mark.x.to_bits().wrapping_mul(73_856_093)
+        ^ mark.y.to_bits().wrapping_mul(19_349_663)
+        ^ mark.z.to_bits().wrapping_mul(83_492_791);
     BLOCKS.with_borrow_mut(|blocks| {
         let block = &mut blocks[mixed as usize % KEPT];
-        if block.place != place {
-            block.fill(place);
+        if block.mark != mark {
+            block.fill(mark);
         }
         if block.least > bound {
             return f64::INFINITY;
