@@ -11,7 +11,7 @@ use smallvec::SmallVec;
 use super::{Blob, Element, Form};
 
 /// So many cells are looked at for one answer.
-const LOOKS: usize = 160;
+const LOOKS: usize = 48;
 /// Cells are cut no smaller than this share of all.
 const FINEST: f64 = 1.0 / 256.0;
 /// They are cut shorter by so much along the vector that is asked for than across it.
