@@ -83,6 +83,23 @@ impl BoxRow {
     pub fn within(&self, region: &Region, mut visit: impl FnMut(u32, &Aabb)) {
         region.children(region.limits(), &self.node, |i, b| visit(i as u32, b));
     }
+
+    /// The box around all boxes that lie beside a point; see [`Bvh::beside`].
+    pub fn beside(&self, p: Vec3, mut around: impl FnMut(u32, &Aabb)) -> Aabb {
+        let mut all = Aabb::EMPTY;
+        for (i, b) in (0..WIDTH).map(|i| (i, child_box(&self.node, i))).filter(|(_, b)| !b.is_empty()) {
+            match is_beside(&b, p) {
+                true => all = all.union(&b),
+                false => around(i as u32, &b),
+            }
+        }
+        all
+    }
+}
+
+/// Is a box finite, and does it not hold a point?
+fn is_beside(b: &Aabb, p: Vec3) -> bool {
+    b.is_finite() && !b.contains(p)
 }
 
 impl Bvh {
@@ -104,6 +121,27 @@ impl Bvh {
                 }
             });
         }
+    }
+
+    /// The box around all primitives that lie beside a point. Those whose boxes have no end or hold the point are
+    /// visited, each with a box around it. Nodes beside the point are not looked into.
+    pub fn beside(&self, p: Vec3, mut around: impl FnMut(u32, &Aabb)) -> Aabb {
+        let mut all = Aabb::EMPTY;
+        let mut stack: smallvec::SmallVec<[u32; 64]> = smallvec::SmallVec::new();
+        if !self.nodes.is_empty() {
+            stack.push(0);
+        }
+        while let Some(index) = stack.pop() {
+            let node = &self.nodes[index as usize];
+            for (i, b) in (0..WIDTH).map(|i| (i, child_box(node, i))).filter(|(_, b)| !b.is_empty()) {
+                match node.child(i).kind() {
+                    _ if is_beside(&b, p) => all = all.union(&b),
+                    Kind::Inner(inner) => stack.push(inner as u32),
+                    Kind::Leaf(run) => self.prims[run].iter().for_each(|&prim| around(prim, &b)),
+                }
+            }
+        }
+        all
     }
 }
 
@@ -141,5 +179,34 @@ mod tests {
             (0..400).filter(|&i| many[i as usize].min.x + many[i as usize].min.y <= 4.0 + 1e-6).collect();
         let within = expected.iter().filter(|&&i| many[i as usize].min.max_element() <= 4.0).count();
         assert!(found.iter().all(|i| expected.contains(i)) && found.len() == within, "{}", found.len());
+    }
+
+    #[test]
+    fn boxes_around_a_point_are_told_from_those_beside_it() {
+        let cube = |x: f64, y: f64, half: f64| {
+            let c = Vec3::new(x, y, 0.0);
+            Aabb::new(c - Vec3::splat(half), c + Vec3::splat(half))
+        };
+        let p = Vec3::new(7.0, 9.0, 0.25);
+        let mut boxes: Vec<Aabb> =
+            (0..300).map(|i| cube(f64::from(i % 20), f64::from(i / 20), 0.4)).collect();
+        boxes.extend([cube(0.0, 0.0, 50.0), cube(3.0, 3.0, 6.5), Aabb::EMPTY]);
+        let around: Vec<u32> = (0..302).filter(|&i| boxes[i as usize].contains(p)).collect();
+        assert_eq!(around, [187, 300, 301]);
+        let (mut found, built) = (Vec::new(), Bvh::build(&boxes, 1));
+        let all = built.bvh.beside(p, |i, b| {
+            assert!(b.contains(p));
+            found.push(i);
+        });
+        found.sort_unstable();
+        assert_eq!(found, around);
+        assert!((all.min - cube(0.0, 0.0, 0.4).min).length() < 1e-5);
+        assert!((all.max - cube(19.0, 14.0, 0.4).max).length() < 1e-5);
+        let mut half = Aabb::INFINITE;
+        half.max.x = -2.0;
+        let mut few = Vec::new();
+        let row = BoxRow::new(&[cube(1.0, 1.0, 1.0), half, Aabb::EMPTY, cube(7.0, 9.0, 1.0)]);
+        let beside = row.beside(p, |i, _| few.push(i));
+        assert_eq!((few, beside), (vec![1, 3], cube(1.0, 1.0, 1.0)));
     }
 }

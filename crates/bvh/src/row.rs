@@ -10,6 +10,7 @@ use crate::node::{Node, WIDTH};
 use crate::round::{down, not_before, not_behind, up};
 
 /// A row of boxes, known by their places in it. Boxes may be empty, and infinite on any side.
+#[derive(Clone)]
 pub struct BoxRow {
     pub(crate) node: Node,
     /// Has the processor the wide kernel?

@@ -149,6 +149,18 @@ impl Index {
         }
     }
 
+    /// The box around all members that lie beside a point. Those whose boxes have no end or hold the point are visited,
+    /// each with a box around it.
+    pub(crate) fn beside(&self, p: Vec3, mut around: impl FnMut(u32, &Aabb)) -> Aabb {
+        match self {
+            Index::Few(row) => row.beside(p, around),
+            Index::Many { bvh, listed } => {
+                listed.iter().for_each(|&member| around(member, &Aabb::INFINITE));
+                bvh.beside(p, around)
+            }
+        }
+    }
+
     /// Visits all members on the ray.
     pub(crate) fn all(&self, probe: &Probe, range: (f64, f64), mut visit: impl FnMut(u32)) {
         match self {

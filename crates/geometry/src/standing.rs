@@ -20,7 +20,7 @@ pub enum Standing {
 }
 
 /// Members of the world by number, with their boxes.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub struct List {
     /// So few, and none of them groups, that boxes are not worth asking.
     pub(crate) bare: bool,
@@ -172,18 +172,20 @@ impl Geometry {
         }
     }
 
-    /// The objects that rays of a class see and whose boxes are such as `wanted` says.
-    pub fn standing_if(&self, class: RayClass, mut wanted: impl FnMut(&Aabb) -> bool) -> (Standing, Nearest) {
-        let (mut standing, mut nearest) = (Standing::Anything, Nearest::NOTHING);
-        let everywhere = Region { bounds: Aabb::INFINITE, planes: [(Vec3::ZERO, 0.0); 4] };
-        self.list(&everywhere, class, &mut standing, |node, b| {
-            let wanted = wanted(b);
-            if wanted {
-                nearest.add(node, 0.0);
+    /// The box around what lies beside a point, and what else rays of a class meet: what has no end or stands around
+    /// the point.
+    pub fn seen_from(&self, p: Vec3, class: RayClass) -> (Aabb, Standing, Nearest) {
+        let (mut list, mut nearest, mut room) = (List::default(), Nearest::NOTHING, true);
+        list.clear();
+        let beside = self.world.surfaces.beside(p, |index, b| {
+            let member = self.world.members[index as usize];
+            if member.skip & class.bit() == 0 {
+                nearest.add(member.node, 0.0);
+                room = room && list.add(index, member.node, b);
             }
-            wanted
         });
-        (standing, nearest)
+        let around = if room { Standing::Listed(Arc::new(list)) } else { Standing::Anything };
+        (beside, around, nearest)
     }
 
     /// Lists the members of the world in a region that are `wanted`.
@@ -198,10 +200,7 @@ impl Geometry {
             Standing::Listed(list) => list,
             Standing::Anything => Arc::default(),
         };
-        if Arc::get_mut(&mut shared).is_none() {
-            shared = Arc::default();
-        }
-        let Some(list) = Arc::get_mut(&mut shared) else { return };
+        let list = Arc::make_mut(&mut shared);
         list.clear();
         let mut too_many = false;
         self.world.surfaces.within(region, |index, b| {

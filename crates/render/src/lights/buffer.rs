@@ -252,19 +252,11 @@ impl Window {
     /// The window of a light through which it sees all objects but the boundless ones and those around it; `None` where
     /// it would be wider than a face of a cube.
     fn from(light: Vec3, geometry: &Geometry) -> Option<Window> {
-        let beside = |b: &Aabb| !b.is_finite() || b.contains(light);
-        let mut all = Aabb::EMPTY;
-        geometry.standing_if(RayClass::Shadow, |b| {
-            if !beside(b) {
-                all = all.union(b);
-            }
-            false
-        });
-        let face = Face::around(&all, light)?;
-        let outside = geometry.standing_if(RayClass::Shadow, beside);
+        let (beside, around, nearest) = geometry.seen_from(light, RayClass::Shadow);
+        let face = Face::around(&beside, light)?;
         let dual = |v: Vec3| v / v.length_squared();
         let to_place = (dual(face.across), dual(face.along));
-        matches!(outside.0, Standing::Listed(_)).then_some(Window { face, to_place, outside })
+        matches!(around, Standing::Listed(_)).then_some(Window { face, to_place, outside: (around, nearest) })
     }
 
     /// The place of a direction, if it goes through, and how far it goes ahead of the light.

@@ -94,10 +94,12 @@ impl LightSource {
         })
     }
 
-    /// What may stand in the way of light that goes on a path.
+    /// What may stand in the way of light that goes on a path to a surface, which is perhaps that of a leaf that does not
+    /// stand in its `own` light. Small worlds are asked only where that may leave nothing to ask.
     #[inline]
-    pub fn before(&self, path: &Path, geometry: &Geometry) -> Before<'_> {
+    pub fn before(&self, path: &Path, own: Option<u32>, geometry: &Geometry) -> Before<'_> {
         match &self.buffer {
+            _ if own.is_none() && geometry.is_small() => Before::UNKNOWN,
             Some(buffer) => buffer.towards(-path.ray.dir, path.distance, geometry),
             None => Before::UNKNOWN,
         }

@@ -9,7 +9,7 @@ use raggio_shading::{Context, Layer};
 use smallvec::SmallVec;
 
 use super::area::{AreaGrid, AreaScratch, View};
-use super::{Before, LightSource, Path};
+use super::{LightSource, Path};
 use crate::integrator::{Interiors, NormalPath, Tracer, fade, for_each_plain, placed, toggle};
 use crate::world::{Passing, World};
 
@@ -68,15 +68,13 @@ impl Tracer<'_> {
         }
         let Some(grid) = source.area.as_ref().filter(|_| self.quality.area_lights()) else {
             let geometry = &self.world.geometry;
-            let before = match start.own.is_none() && geometry.is_small() {
-                true => Before::UNKNOWN,
-                false => source.before(path, geometry),
-            };
-            let clear = before.is_clear(start.own_before(path));
+            let own = start.own_before(path);
+            let before = source.before(path, own, geometry);
+            let clear = before.is_clear(own);
             if clear && self.is_clear(source) && source.projected_through.is_none() {
                 return light;
             }
-            return self.walk_to_light(source, path, light, start, before.standing);
+            return self.walk_to_light(source, path, light, start, own, before.standing);
         };
         let mut scratch = self.area_scratch.take().unwrap_or_default();
         let mean = self.after_soft_shadows(source, grid, path, light, start, &mut scratch);
@@ -108,7 +106,8 @@ impl Tracer<'_> {
         let screened = clear && world.geometry.screen(&scratch.standing, p, stops, &mut scratch.screen);
         let view = View { light: source, grid, p, to_light: path.ray.dir, screened, open: light, random };
         view.average(scratch, |from, standing| {
-            self.walk_to_light(source, &source.path_to(p, from), light, start, standing)
+            let path = source.path_to(p, from);
+            self.walk_to_light(source, &path, light, start, start.own_before(&path), standing)
         })
     }
 
@@ -131,13 +130,14 @@ impl Tracer<'_> {
         empty || !source.media_attenuation || !self.quality.volume()
     }
 
-    /// Follows one shadow ray through all surfaces on its way.
+    /// Follows one shadow ray through all surfaces on its way but those of its `own` leaf.
     fn walk_to_light(
         &mut self,
         source: &LightSource,
         path: &Path,
         light: Rgb,
         start: &Start<'_>,
+        own: Option<u32>,
         standing: &Standing,
     ) -> Rgb {
         let world = self.world;
@@ -157,7 +157,7 @@ impl Tracer<'_> {
             let range = (SHADOW_TOLERANCE, distance - SHADOW_TOLERANCE);
             let guess = &mut self.blockers[source.index];
             let geometry = &world.geometry;
-            let segment = Segment { ray, range, gap: SHADOW_TOLERANCE, own: start.own_before(path) };
+            let segment = Segment { ray, range, gap: SHADOW_TOLERANCE, own };
             if geometry.is_stopped(&segment, standing, guess, &mut crossings) {
                 return Rgb::ZERO;
             }
