@@ -72,19 +72,28 @@ impl BoxRow {
     /// or undefined part touch nothing.
     #[inline]
     pub fn touched(&self, slab: &Slab, range: (f64, f64)) -> Touched {
+        #[cfg(target_arch = "x86_64")]
+        if self.simd {
+            // SAFETY: `simd` says that the processor has AVX2.
+            return unsafe { self.touched_avx2(slab, range) };
+        }
+        self.touched_by::<Scalar>(slab, range)
+    }
+
+    #[cfg(target_arch = "x86_64")]
+    #[target_feature(enable = "avx2")]
+    fn touched_avx2(&self, slab: &Slab, range: (f64, f64)) -> Touched {
+        self.touched_by::<Avx2>(slab, range)
+    }
+
+    /// [`BoxRow::touched`] by any kernel that the processor has.
+    #[inline(always)]
+    fn touched_by<K: Kernel>(&self, slab: &Slab, range: (f64, f64)) -> Touched {
         let mut touched = Touched { mask: 0, near: [0.0; WIDTH], far: [0.0; WIDTH] };
         if slab.finite {
             let (t0, t1) = (not_behind(range.0), not_before(range.1));
-            #[cfg(target_arch = "x86_64")]
-            if self.simd {
-                // SAFETY: `simd` says that the processor has AVX2.
-                touched.mask =
-                    unsafe { Avx2::test(&self.node, slab, t0, t1, &mut touched.near, &mut touched.far) };
-                return touched;
-            }
-            // SAFETY: the scalar kernel needs nothing.
-            touched.mask =
-                unsafe { Scalar::test(&self.node, slab, t0, t1, &mut touched.near, &mut touched.far) };
+            // SAFETY: the caller chose a kernel that the processor has.
+            touched.mask = unsafe { K::test(&self.node, slab, t0, t1, &mut touched.near, &mut touched.far) };
         }
         touched
     }
