@@ -1,6 +1,6 @@
 //! Source texts and places in them.
 use std::ops::Range;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// Which source file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -34,19 +34,24 @@ pub struct Source {
     pub name: String,
     /// The text, as bytes: scenes hold any encoding in their comments.
     pub text: Arc<[u8]>,
-    line_starts: Vec<u32>,
+    /// Looked for when first a message names a line.
+    line_starts: OnceLock<Vec<u32>>,
 }
 
 impl Source {
     /// The bytes of a line, counted from 0, without its end.
     pub(crate) fn line(&self, index: usize) -> Range<usize> {
-        let size = self.text.len();
-        let start = self.line_starts.get(index).map_or(size, |&s| s as usize);
-        let mut end = self.line_starts.get(index + 1).map_or(size, |&s| s as usize);
+        let (size, starts) = (self.text.len(), self.line_starts());
+        let start = starts.get(index).map_or(size, |&s| s as usize);
+        let mut end = starts.get(index + 1).map_or(size, |&s| s as usize);
         while end > start && matches!(self.text[end - 1], b'\r' | b'\n') {
             end -= 1;
         }
         start..end
+    }
+
+    fn line_starts(&self) -> &[u32] {
+        self.line_starts.get_or_init(|| line_starts(&self.text))
     }
 }
 
@@ -59,9 +64,7 @@ pub struct Sources {
 impl Sources {
     /// Adds a text; the id is what spans name.
     pub fn add(&mut self, name: impl Into<String>, text: impl Into<Arc<[u8]>>) -> FileId {
-        let text = text.into();
-        let line_starts = line_starts(&text);
-        self.files.push(Source { name: name.into(), text, line_starts });
+        self.files.push(Source { name: name.into(), text: text.into(), line_starts: OnceLock::new() });
         FileId(self.files.len() as u32 - 1)
     }
 
@@ -72,7 +75,7 @@ impl Sources {
 
     /// 1-based line and column (in bytes) of the start of a span.
     pub fn line_column(&self, span: Span) -> (usize, usize) {
-        let starts = &self.get(span.file).line_starts;
+        let starts = self.get(span.file).line_starts();
         let line = starts.partition_point(|&s| s <= span.start);
         (line, (span.start - starts[line - 1]) as usize + 1)
     }

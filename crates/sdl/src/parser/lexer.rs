@@ -22,7 +22,7 @@ pub fn lex(file: FileId, text: Arc<[u8]>, symbols: &mut Symbols) -> Lexed {
         cache: Default::default(),
         marked_utf8: text.first().is_some_and(|&b| b > 127),
     };
-    let mut lexer = Lexer { text: &text, at: 0, out: lexed, symbols };
+    let mut lexer = Lexer { text: &text, all: std::str::from_utf8(&text).ok(), at: 0, out: lexed, symbols };
     while lexer.text.get(lexer.at).is_some_and(|&b| b > 127) {
         lexer.at += 1;
     }
@@ -91,14 +91,46 @@ fn number_end(text: &[u8], start: usize) -> (usize, usize) {
     (i, i)
 }
 
+/// A number without an exponent and of so few digits that one division gives the nearest double (Clinger, "How to Read
+/// Floating Point Numbers Accurately", 1990), and one past its end; most are.
+fn short_number(text: &[u8], start: usize) -> Option<(f64, usize)> {
+    const MOST_DIGITS: usize = 15;
+    const POWERS: [f64; MOST_DIGITS + 1] =
+        [1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15];
+    let (mut digits, mut i) = (0u64, start);
+    let mut point = None;
+    while let Some(&b) = text.get(i) {
+        match b {
+            b'0'..=b'9' if i - start <= MOST_DIGITS => digits = 10 * digits + u64::from(b - b'0'),
+            b'.' if point.is_none() => point = Some(i),
+            b'0'..=b'9' | b'.' | b'e' | b'E' => return None,
+            _ => break,
+        }
+        i += 1;
+    }
+    let fraction = point.map_or(0, |point| i - point - 1);
+    let count = i - start - usize::from(point.is_some());
+    (count <= MOST_DIGITS).then(|| (digits as f64 / POWERS[fraction], i))
+}
+
 struct Lexer<'a> {
     text: &'a [u8],
+    /// The text, if all of it is UTF-8: looked at once, not word by word.
+    all: Option<&'a str>,
     at: usize,
     out: Lexed,
     symbols: &'a mut Symbols,
 }
 
-impl Lexer<'_> {
+impl<'a> Lexer<'a> {
+    /// A part that is ASCII.
+    fn ascii(&self, start: usize, end: usize) -> &'a str {
+        match self.all {
+            Some(all) => &all[start..end],
+            None => std::str::from_utf8(&self.text[start..end]).unwrap_or_default(),
+        }
+    }
+
     fn push(&mut self, lexeme: Lexeme, start: usize) {
         self.out.tokens.push(Token::new(lexeme, start as u32));
     }
@@ -195,7 +227,7 @@ impl Lexer<'_> {
         if self.at - start > MAX_IDENTIFIER {
             return self.fault("identifier-too-long", "this identifier is longer than 255 characters", start);
         }
-        let word = std::str::from_utf8(&self.text[start..self.at]).unwrap_or_default();
+        let word = self.ascii(start, self.at);
         let symbol = self.symbols.intern(word);
         let lexeme = symbol.keyword().map_or(Lexeme::Ident(symbol), Lexeme::Kw);
         self.push(lexeme, start);
@@ -203,9 +235,15 @@ impl Lexer<'_> {
 
     fn number(&mut self) {
         let start = self.at;
+        if let Some((value, end)) = short_number(self.text, start) {
+            self.at = end;
+            self.push(Lexeme::Number(self.out.numbers.len() as u32), start);
+            self.out.numbers.push(value);
+            return;
+        }
         let (end, valued) = number_end(self.text, start);
         self.at = end;
-        let text = std::str::from_utf8(&self.text[start..valued]).unwrap_or_default();
+        let text = self.ascii(start, valued);
         if self.text.get(end) == Some(&b'.') && text.contains('.') {
             self.at += 1;
             return self.fault("malformed-number", "this number has an additional `.`", start);
@@ -246,7 +284,7 @@ impl Lexer<'_> {
         self.blanks();
         let from = self.at;
         self.at = word_end(self.text, from);
-        let word = std::str::from_utf8(&self.text[from..self.at]).unwrap_or_default();
+        let word = self.ascii(from, self.at);
         let word = self.symbols.intern(word).keyword().filter(|word| word.is_directive());
         if word.is_none() {
             // The `#` stands alone; what follows is read as if it were not there.
@@ -255,5 +293,29 @@ impl Lexer<'_> {
         let token = self.out.tokens.len() as u32;
         self.push(Lexeme::Directive(self.out.directives.len() as u32), start);
         self.out.directives.push(Directive { word, token, next: NONE, end: NONE });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn short_numbers_are_the_nearest_doubles() {
+        let read = |text: &str| short_number(text.as_bytes(), 0);
+        for text in ["0", "7", "0.1", ".1", "3.", "2.675", "0.33333333333333", "123456789012345", "1.10"] {
+            assert_eq!(read(text), Some((text.parse().unwrap(), text.len())), "{text}");
+        }
+        let mut state = 1u64;
+        for _ in 0..20_000 {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            let (whole, part) = (state >> 44, state >> 30 & 0x3ff_ffff);
+            let text = format!("{whole}.{part:08}");
+            assert_eq!(read(&text), Some((text.parse().unwrap(), text.len())), "{text}");
+        }
+        assert_eq!(read("12,5"), Some((12.0, 2)));
+        for other in ["1e5", "1E", "1.2.3", "1..", "1234567890123456", "0.1234567890123456"] {
+            assert_eq!(read(other), None, "{other}");
+        }
     }
 }
