@@ -16,6 +16,8 @@ pub(crate) struct ShapePool {
     /// By address of the scene's shape, which the scene keeps alive.
     shapes: FxHashMap<usize, u32>,
     last_place: Option<(Affine, u32)>,
+    /// How many Julia fractals were made ready.
+    fractals: usize,
 }
 
 /// A shape at its place, and the boxes around it.
@@ -122,7 +124,8 @@ impl ShapePool {
         if let Some(&id) = self.shapes.get(&address) {
             return Ok(id);
         }
-        leaves.shapes.push(shapes::build(shape)?);
+        leaves.shapes.push(shapes::build(shape, self.fractals)?);
+        self.fractals += usize::from(matches!(&**shape, Shape::Julia(_)));
         let id = leaves.shapes.len() as u32 - 1;
         if shared {
             self.shapes.insert(address, id);

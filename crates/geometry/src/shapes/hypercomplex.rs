@@ -351,7 +351,9 @@ fn proof(
 ) -> Proof {
     let mut none = true;
     for _ in 0..steps {
-        let sizes = [q.re[0].hypot(q.im[0]), q.re[1].hypot(q.im[1])];
+        // Balls are a little larger than what they stand for, and sizes far from those that `hypot` is for.
+        let size = |k: usize| (q.re[k] * q.re[k] + q.im[k] * q.im[k]).sqrt();
+        let sizes = [size(0), size(1)];
         let size2 =
             |at: fn(f64, f64) -> f64| 0.5 * (at(sizes[0], radii[0]).powi(2) + at(sizes[1], radii[1]).powi(2));
         if size2(|n, r| (n - r).max(0.0)) > escape {

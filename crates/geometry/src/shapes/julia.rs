@@ -106,8 +106,8 @@ pub(crate) fn radius(julia: &raggio_scene::Julia) -> f64 {
 }
 
 impl Julia {
-    /// Makes a fractal ready.
-    pub(crate) fn new(julia: &raggio_scene::Julia) -> Self {
+    /// Makes a fractal ready, after so many others.
+    pub(crate) fn new(julia: &raggio_scene::Julia, before: usize) -> Self {
         let parameter = Vec4::from_array(julia.parameter);
         let map = match (julia.algebra, julia.function) {
             (JuliaAlgebra::Quaternion, JuliaFunction::Cube) => Map::Quaternion(quaternion::Power::Cube),
@@ -132,7 +132,7 @@ impl Julia {
             proved: None,
         };
         if map.can_prove() {
-            julia.proved = Some(Proved::new(radius, |middle, radius| julia.proof(middle, radius)));
+            julia.proved = Some(Proved::new(radius, before, |middle, radius| julia.proof(middle, radius)));
         }
         julia
     }
@@ -359,18 +359,37 @@ impl Surface for Julia {
 mod tests {
     use super::*;
 
-    /// Points of a fine lattice that fits the grid nowhere: what is proved is so.
+    /// What is proved is so, in the grid of the first fractal and in the coarser ones of later ones.
     fn proofs_hold(algebra: JuliaAlgebra, function: JuliaFunction, slice: [f64; 4]) {
+        let [first, second, third] =
+            [0, 8, 1024].map(|before| proved_points(algebra, function, slice, before));
+        assert!(first.1 > 30_000 && first.0 > 50, "only {first:?} are proved");
+        assert!(
+            first.0 >= second.0 && second.0 >= third.0 && second.1 >= third.1 && third.1 > 20_000,
+            "{third:?}"
+        );
+    }
+
+    /// How many points of a fine lattice that fits the grid nowhere are proved to be inside and outside.
+    fn proved_points(
+        algebra: JuliaAlgebra,
+        function: JuliaFunction,
+        slice: [f64; 4],
+        before: usize,
+    ) -> (u32, u32) {
         let parameter = [-0.083, 0.1, -0.83, -0.025];
-        let julia = Julia::new(&raggio_scene::Julia {
-            algebra,
-            function,
-            parameter,
-            max_iteration: 6,
-            precision: 20.0,
-            slice,
-            slice_distance: 0.05,
-        });
+        let julia = Julia::new(
+            &raggio_scene::Julia {
+                algebra,
+                function,
+                parameter,
+                max_iteration: 6,
+                precision: 20.0,
+                slice,
+                slice_distance: 0.05,
+            },
+            before,
+        );
         let proved = julia.proved.as_ref().expect("a map that is proved of");
         let (mut insides, mut outsides) = (0, 0);
         for k in 0..64_000 {
@@ -386,7 +405,7 @@ mod tests {
             outsides += u32::from(proof == Proof::Outside);
             assert!(!julia.stays(p) || proved.hull.contains(p), "{p} is not in the hull");
         }
-        assert!(outsides > 30_000 && insides > 50, "only {outsides} and {insides} are proved");
+        (insides, outsides)
     }
 
     /// Orbits followed together end as they do one by one.
@@ -395,15 +414,18 @@ mod tests {
         use JuliaAlgebra::{Hypercomplex, Quaternion};
         use JuliaFunction::{Cube, Sqr};
         for (algebra, function) in [(Quaternion, Sqr), (Quaternion, Cube), (Hypercomplex, Sqr)] {
-            let julia = Julia::new(&raggio_scene::Julia {
-                algebra,
-                function,
-                parameter: [-0.083, 0.1, -0.83, -0.025],
-                max_iteration: 8,
-                precision: 20.0,
-                slice: [0.1, 0.3, -0.2, 0.9],
-                slice_distance: 0.05,
-            });
+            let julia = Julia::new(
+                &raggio_scene::Julia {
+                    algebra,
+                    function,
+                    parameter: [-0.083, 0.1, -0.83, -0.025],
+                    max_iteration: 8,
+                    precision: 20.0,
+                    slice: [0.1, 0.3, -0.2, 0.9],
+                    slice_distance: 0.05,
+                },
+                0,
+            );
             let mut seen = [0; 9];
             for k in 0..400 {
                 let ray = Ray::new(Vec3::new(f64::from(k) / 200.0 - 1.0, 0.3, -2.0), Vec3::Z);

@@ -134,8 +134,9 @@ shape_kinds! {
     Triangle(Box<Triangle>),
 }
 
-/// Makes a shape ready. Shapes that cannot be hit at all (no radius, no area) are valid and simply never hit.
-pub(crate) fn build(shape: &Shape) -> Result<ShapeKind, BuildError> {
+/// Makes a shape ready, after so many Julia `fractals`. Shapes that cannot be hit at all (no radius, no area) are valid
+/// and simply never hit.
+pub(crate) fn build(shape: &Shape, fractals: usize) -> Result<ShapeKind, BuildError> {
     Ok(match shape {
         Shape::Sphere { center, radius } => ShapeKind::Sphere(Sphere::new(*center, *radius)),
         Shape::Plane { normal, distance } => ShapeKind::Plane(Plane::new(*normal, *distance)),
@@ -167,7 +168,7 @@ pub(crate) fn build(shape: &Shape) -> Result<ShapeKind, BuildError> {
             ShapeKind::HeightField(Box::new(height_field::HeightField::new(field.clone())))
         }
         Shape::Blob(blob) => ShapeKind::Blob(blob::Blob::new(blob, &Affine::IDENTITY)),
-        Shape::Julia(julia) => ShapeKind::Julia(Box::new(julia::Julia::new(julia))),
+        Shape::Julia(julia) => ShapeKind::Julia(Box::new(julia::Julia::new(julia, fractals))),
         Shape::Lathe { curves, .. } => ShapeKind::Lathe(lathe::Lathe::new(curves)),
         Shape::Sor { points, open } => ShapeKind::Sor(sor::Sor::new(points, *open)),
         Shape::Prism(prism) => ShapeKind::Prism(Box::new(prism::Prism::new(prism))),

@@ -11,7 +11,12 @@ pub(crate) fn clip_to_barrel(
     radius: f64,
     range: (f64, f64),
 ) -> Option<(f64, f64)> {
-    let (mut lo, mut hi) = clip_to_slab(ray.origin.y, ray.dir.y, y_range, range)?;
+    clip_to_cylinder(ray, radius, clip_to_slab(ray.origin.y, ray.dir.y, y_range, range)?)
+}
+
+/// The part of `range` in which the ray is in the endless cylinder about the y axis.
+#[inline]
+pub(crate) fn clip_to_cylinder(ray: &Ray, radius: f64, (mut lo, mut hi): (f64, f64)) -> Option<(f64, f64)> {
     let [c, b, a] = radius_squared(ray);
     let c = c - radius * radius;
     if a > 0.0 {

@@ -1,8 +1,8 @@
 //! The torus, ring or spindle, about the y axis (shapes spec, section 2).
-use raggio_math::{Aabb, Ray, Vec2, Vec3, poly};
+use raggio_math::{Aabb, EPS, Ray, Vec2, Vec3, poly};
 
 use super::collect::{Collect, searched_from};
-use super::revolve::{circle_reach, clip_to_barrel, radius};
+use super::revolve::{circle_reach, clip_to_cylinder, clip_to_slab, radius, radius_squared};
 use crate::{LocalHit, Surface};
 
 const LEAST: f64 = 1e-4;
@@ -20,14 +20,23 @@ impl Torus {
         Torus { major, minor }
     }
 
+    /// Is a ray in the hole wherever it is as high as the ring? It is nowhere farther out than at one of the ends.
+    #[inline]
+    fn goes_through_hole(&self, ray: &Ray, (lo, hi): (f64, f64)) -> bool {
+        let hole = (self.major.abs() - self.minor).max(0.0) * (1.0 - EPS);
+        let [c, b, a] = radius_squared(ray);
+        let out = |t: f64| (a * t + b) * t + c;
+        out(lo) < hole * hole && out(hi) < hole * hole
+    }
+
     fn search(&self, ray: &Ray, to: &mut impl Collect) {
         let outer = self.major.abs() + self.minor;
         if self.minor < 0.0 {
             return;
         }
-        let Some((lo, hi)) = clip_to_barrel(ray, (-self.minor, self.minor), outer, to.range()) else {
-            return;
-        };
+        let slab = clip_to_slab(ray.origin.y, ray.dir.y, (-self.minor, self.minor), to.range());
+        let Some(slab) = slab.filter(|&slab| !self.goes_through_hole(ray, slab)) else { return };
+        let Some((lo, hi)) = clip_to_cylinder(ray, outer, slab) else { return };
         let start = Ray::new(ray.at(lo), ray.dir);
         let curve = torus_curve(&start, hi - lo, self.major, self.minor);
         poly::visit_bernstein_roots(&curve, |s| to.take(LocalHit::at(lo + s * (hi - lo))));
@@ -85,7 +94,7 @@ impl Surface for Torus {
 
     fn normal(&self, p: Vec3, _hit: &LocalHit) -> Vec3 {
         let rho = radius(p);
-        let away = if rho < raggio_math::EPS {
+        let away = if rho < EPS {
             p
         } else {
             let k = 1.0 - self.major / rho;

@@ -78,6 +78,7 @@ impl Waveform {
             scene::Wave::Sine => 0.5 * (1.0 + cycle(v)),
             scene::Wave::Scallop => cycle(0.5 * v).abs(),
             scene::Wave::Cubic => v * v * (3.0 - 2.0 * v),
+            scene::Wave::Poly(2.0) => v * v,
             scene::Wave::Poly(exponent) => v.powf(f64::from(exponent)),
         }
     }

@@ -8,9 +8,8 @@
 //! greatest of the three along the axes, to the nearest one that is not like it.
 use raggio_math::{Aabb, Ray, Vec3};
 
-/// Cells along an edge of the grid, as a power of two. A row of them is a word.
-const LEVELS: u32 = 6;
-const CELLS: usize = 1 << LEVELS;
+/// The most cells along an edge of the grid, as a power of two: a row of them is a word.
+const MOST_LEVELS: u32 = 6;
 
 /// What is proved of a part of space.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,6 +23,8 @@ pub(in crate::shapes) enum Proof {
 /// A proof for each cell of a cube about the origin.
 #[derive(Clone, Debug)]
 pub(super) struct Proved {
+    /// Cells along an edge, as a power of two.
+    levels: u32,
     /// Half the edge of the cube.
     half: f64,
     /// The edge of a cell.
@@ -54,20 +55,33 @@ pub(super) struct Course {
 const ROUNDING: f64 = (1u64 << 52) as f64;
 
 impl Proved {
-    /// Looks at the cube of the given half edge. `proof` tells what it can of the ball with a middle and a radius.
-    pub(super) fn new(half: f64, proof: impl Fn(Vec3, f64) -> Proof) -> Self {
-        let cell = 2.0 * half / CELLS as f64;
+    /// Looks at the cube of the given half edge, in a grid for a fractal before which so many were made ready. `proof`
+    /// tells what it can of the ball with a middle and a radius.
+    pub(super) fn new(half: f64, before: usize, proof: impl Fn(Vec3, f64) -> Proof) -> Self {
+        // One of many is small in the picture, and its grid costs more than it spares.
+        let levels = match before {
+            0..8 => MOST_LEVELS,
+            8..1024 => MOST_LEVELS - 1,
+            _ => MOST_LEVELS - 2,
+        };
+        let cell = 2.0 * half / f64::from(1u32 << levels);
         let mut proved = Proved {
+            levels,
             half,
             cell,
             scale: 1.0 / cell,
-            cells: vec![word(Proof::Open, 0); CELLS * CELLS * CELLS],
+            cells: vec![word(Proof::Open, 0); 1 << (3 * levels)],
             hull: Aabb::EMPTY,
         };
-        proved.look([0; 3], LEVELS, &proof);
+        proved.look([0; 3], levels, &proof);
         proved.measure(Proof::Outside, !0);
         proved.measure(Proof::Inside, 0);
         proved
+    }
+
+    /// Cells along an edge.
+    fn edge(&self) -> usize {
+        1 << self.levels
     }
 
     fn look(&mut self, corner: [usize; 3], level: u32, proof: &impl Fn(Vec3, f64) -> Proof) {
@@ -86,10 +100,10 @@ impl Proved {
         if found != Proof::Outside {
             self.hull = self.hull.union(&Aabb { min, max: min + Vec3::splat(edge) });
         }
-        let size = 1 << level;
+        let (size, cells) = (1 << level, self.edge());
         for z in corner[2]..corner[2] + size {
             for y in corner[1]..corner[1] + size {
-                let start = (z * CELLS + y) * CELLS + corner[0];
+                let start = (z * cells + y) * cells + corner[0];
                 self.cells[start..start + size].fill(word(found, 0));
             }
         }
@@ -98,16 +112,20 @@ impl Proved {
     /// Measures the distances of the cells of which `proof` holds; `beyond` has all bits set if it does outside the grid.
     /// The cells lose those at their rim again and again, a row at a time.
     fn measure(&mut self, proof: Proof, beyond: u64) {
+        let edge = self.edge();
         let row = |cells: &[u8]| {
             cells.iter().rev().fold(0, |row, &w| row << 1 | u64::from(w >> DISTANCE_BITS == proof as u8))
         };
-        let mut rows: Vec<u64> = self.cells.chunks(CELLS).map(row).collect();
+        let mut rows: Vec<u64> = self.cells.chunks(edge).map(row).collect();
         for distance in 1..=MOST {
-            let inner = without_rim(rows.clone(), beyond);
+            if rows.iter().all(|&row| row == 0) {
+                return;
+            }
+            let inner = without_rim(rows.clone(), edge, beyond);
             let kept = if distance < MOST { &inner[..] } else { &[] };
             let lost =
                 rows.iter().zip(kept.iter().chain(std::iter::repeat(&0))).map(|(row, kept)| row & !kept);
-            for (cells, mut lost) in self.cells.chunks_mut(CELLS).zip(lost) {
+            for (cells, mut lost) in self.cells.chunks_mut(edge).zip(lost) {
                 while lost != 0 {
                     cells[lost.trailing_zeros() as usize] |= distance;
                     lost &= lost - 1;
@@ -134,13 +152,14 @@ impl Proved {
     /// What is proved at a distance along a ray, and to what distance.
     #[inline(always)]
     pub(super) fn at(&self, course: &Course, t: f64) -> (Proof, f64) {
+        let last = self.edge() - 1;
         let place = |k: usize| {
             let x = course.origin[k] + t * course.dir[k] - 0.5;
             let x = if x > 0.0 { x } else { 0.0 };
-            (if x < (CELLS - 1) as f64 { x } else { (CELLS - 1) as f64 }) + ROUNDING
+            (if x < last as f64 { x } else { last as f64 }) + ROUNDING
         };
         let cell = [place(0), place(1), place(2)];
-        let index = |k: usize| (cell[k].to_bits() as usize & (CELLS - 1)) << (LEVELS * k as u32);
+        let index = |k: usize| (cell[k].to_bits() as usize & last) << (self.levels * k as u32);
         let word = self.cells[index(2) | index(1) | index(0)];
         let proof = match word >> DISTANCE_BITS {
             w if w == Proof::Outside as u8 => Proof::Outside,
@@ -175,18 +194,18 @@ fn word(proof: Proof, distance: u8) -> u8 {
 }
 
 /// The cells whose neighbours, those across edges and corners too, are in the rows like themselves.
-fn without_rim(mut rows: Vec<u64>, beyond: u64) -> Vec<u64> {
+fn without_rim(mut rows: Vec<u64>, edge: usize, beyond: u64) -> Vec<u64> {
     for row in &mut rows {
-        let (last, first) = (beyond << (CELLS - 1), beyond & 1);
+        let (last, first) = (beyond << (edge - 1), beyond & 1);
         *row &= (*row >> 1 | last) & (*row << 1 | first);
     }
     for (step, along) in
-        [(1, |at: usize| at % CELLS), (CELLS, |at: usize| at / CELLS)] as [(usize, fn(usize) -> usize); 2]
+        [(1, |at, edge| at % edge), (edge, |at, edge| at / edge)] as [(usize, fn(usize, usize) -> usize); 2]
     {
         let before = rows.clone();
         for (at, row) in rows.iter_mut().enumerate() {
-            let lower = if along(at) > 0 { before[at - step] } else { beyond };
-            let upper = if along(at) < CELLS - 1 { before[at + step] } else { beyond };
+            let lower = if along(at, edge) > 0 { before[at - step] } else { beyond };
+            let upper = if along(at, edge) < edge - 1 { before[at + step] } else { beyond };
             *row &= lower & upper;
         }
     }

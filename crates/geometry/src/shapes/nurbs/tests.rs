@@ -55,7 +55,7 @@ fn rays() -> impl Iterator<Item = Ray> {
 
 /// Every hit of the one is a hit of the other, with the same normal but for its sign.
 fn agrees(nurbs: &Nurbs, shape: &Shape, distance: f64) {
-    let (patch, other) = (NurbsPatch::new(nurbs), super::super::build(shape).expect("a shape"));
+    let (patch, other) = (NurbsPatch::new(nurbs), super::super::build(shape, 0).expect("a shape"));
     let all = |surface: &dyn Surface, ray: &Ray| {
         let mut hits = Vec::new();
         surface.hits(ray, (0.0, f64::INFINITY), &mut hits);

@@ -202,7 +202,7 @@ fn tori_against_roots_with_eighty_digits() {
     for line in include_str!("../../../tests/data/torus_roots.csv").lines().filter(|l| !l.starts_with('#')) {
         let (kind, numbers) = line.split_once(',').expect("fields");
         let v: Vec<f64> = numbers.split(',').map(|x| x.parse().expect("a number")).collect();
-        let surface = build(&Shape::Torus { major: v[0], minor: v[1] }).expect("a torus");
+        let surface = build(&Shape::Torus { major: v[0], minor: v[1] }, 0).expect("a torus");
         let ray = Ray::new(Vec3::new(v[2], v[3], v[4]), Vec3::new(v[5], v[6], v[7]));
         let mut hits = Vec::new();
         surface.hits(&ray, (0.0, f64::INFINITY), &mut hits);

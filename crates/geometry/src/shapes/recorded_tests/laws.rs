@@ -174,7 +174,7 @@ fn ends_belong_to_open_cones_only() {
     for cap_radius in [1.0, 1.5] {
         let cone = |open| {
             let (base, cap) = (Vec3::ZERO, Vec3::Y);
-            crate::shapes::build(&Shape::Cone { base, base_radius: 1.0, cap, cap_radius, open })
+            crate::shapes::build(&Shape::Cone { base, base_radius: 1.0, cap, cap_radius, open }, 0)
                 .expect("a cone")
         };
         let (open, closed) = (cone(true), cone(false));

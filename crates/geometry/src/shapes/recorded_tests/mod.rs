@@ -38,7 +38,7 @@ struct WorldHit {
 
 impl Subject {
     fn new(name: &'static str, shape: &Shape, world_from_object: Affine) -> Self {
-        let surface = build(shape).expect("the shape is there");
+        let surface = build(shape, 0).expect("the shape is there");
         Subject { name, surface, world_from_object, object_from_world: world_from_object.inverse() }
     }
 
