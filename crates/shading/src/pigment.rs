@@ -80,6 +80,9 @@ impl Compiler {
                 colors(self.pattern(pattern), Map::new(map.iter().copied()))
             }
             PigmentKind::PigmentMap { pattern, map } => {
+                if let Some(map) = plain_colors(pattern, map) {
+                    return Pigment::of(colors(self.pattern(pattern), map), pigment.quick_color);
+                }
                 let map = Map::new(map.iter().map(|(at, entry)| (*at, self.shared_pigment(entry))));
                 let average = matches!(pattern.kind, PatternKind::Average);
                 // Of a map with one entry nobody asks where in it one is.
@@ -95,12 +98,19 @@ impl Compiler {
                 Kind::Uv(self.shared_pigment(inner))
             }
         };
-        let opaque = kind.is_opaque();
-        let smooth = kind.is_smooth();
-        let effort = kind.effort();
-        let number = Number::default();
-        Pigment { kind, quick_color: pigment.quick_color, opaque, smooth, effort, number }
+        Pigment::of(kind, pigment.quick_color)
     }
+}
+
+/// The colours of a map whose entries are no more than colours, as those of densities mostly are. A mean of them is no map.
+fn plain_colors(pattern: &scene::Pattern, map: &[(f32, Arc<scene::Pigment>)]) -> Option<Map<Color>> {
+    let plain = |(at, entry): &(f32, Arc<scene::Pigment>)| match entry.kind {
+        PigmentKind::Solid(color) if entry.quick_color.is_none() => Some((*at, color)),
+        _ => None,
+    };
+    let average = matches!(pattern.kind, PatternKind::Average);
+    let entries = map.iter().map(plain).collect::<Option<Vec<_>>>()?;
+    (!average && entries.len() > 1).then(|| Map::new(entries))
 }
 
 /// A pattern with a map of colours.
@@ -166,6 +176,11 @@ impl Kind {
 }
 
 impl Pigment {
+    fn of(kind: Kind, quick_color: Option<Color>) -> Pigment {
+        let (opaque, smooth, effort) = (kind.is_opaque(), kind.is_smooth(), kind.effort());
+        Pigment { kind, quick_color, opaque, smooth, effort, number: Number::default() }
+    }
+
     /// Remembers from now on what it gave last, if that saves anything.
     pub(crate) fn remember(&self) {
         if self.effort.local && self.effort.long {
