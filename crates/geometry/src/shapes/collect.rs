@@ -2,6 +2,7 @@
 //!
 //! A shape writes its search once, against [`Collect`]; the search asks for the interval that still matters and can
 //! stop early when only the nearest hit is wanted.
+use super::Few;
 use crate::LocalHit;
 
 /// Takes hits.
@@ -43,6 +44,25 @@ impl Collect for All<'_> {
         if self.range.0 < hit.t && hit.t < self.range.1 {
             self.out.push(hit);
         }
+    }
+}
+
+/// Keeps the hits of a shape that has but a few.
+pub(crate) struct AllOfFew<'a> {
+    pub(crate) range: (f64, f64),
+    pub(crate) out: &'a mut Few,
+}
+
+impl Collect for AllOfFew<'_> {
+    const ALL: bool = true;
+
+    #[inline]
+    fn range(&self) -> (f64, f64) {
+        self.range
+    }
+    #[inline]
+    fn push(&mut self, hit: LocalHit) {
+        self.out.push(hit.t, hit.part, self.range);
     }
 }
 

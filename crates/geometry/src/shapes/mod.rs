@@ -272,7 +272,7 @@ impl Stretch {
     }
 }
 
-/// The most hits of a shape that finds them all together: the four of a double cone.
+/// The most hits of a shape that finds them all together: the four of a double cone or a torus.
 pub(crate) const FEW: usize = 4;
 
 /// Hits of a simple shape, without memory of their own.
@@ -329,6 +329,7 @@ impl ShapeKind {
             ShapeKind::Box(s) => s.few(ray, range, out),
             ShapeKind::Cone(s) => s.few(ray, range, out),
             ShapeKind::Quadric(s) => s.few(ray, range, out),
+            ShapeKind::Torus(s) => s.few(ray, range, out),
             ShapeKind::Plane(s) => out.extend(s.closest(ray, range), range),
             ShapeKind::Disc(s) => out.extend(s.closest(ray, range), range),
             _ => return false,
@@ -339,8 +340,8 @@ impl ShapeKind {
     /// Does [`ShapeKind::few`] know the shape?
     #[inline]
     pub(crate) fn has_few(&self) -> bool {
-        use ShapeKind::{Box, Cone, Disc, Plane, Quadric};
-        matches!(self, Box(_) | Cone(_) | Disc(_) | Plane(_) | Quadric(_))
+        use ShapeKind::{Box, Cone, Disc, Plane, Quadric, Torus};
+        matches!(self, Box(_) | Cone(_) | Disc(_) | Plane(_) | Quadric(_) | Torus(_))
     }
 
     /// The nearest hit, or any that `stops` says yes to where it is quicker to end there.
@@ -362,18 +363,10 @@ impl ShapeKind {
     /// nearest would find one after another?
     #[inline]
     pub(crate) fn finds_all_at_once(&self) -> bool {
-        use ShapeKind::{Blob, Julia, Lathe, Ovus, Poly, Sor, SphereSweep, Superellipsoid, Torus};
+        use ShapeKind::{Blob, Julia, Lathe, Ovus, Poly, Sor, SphereSweep, Superellipsoid};
         matches!(
             self,
-            Blob(_)
-                | Julia(_)
-                | Lathe(_)
-                | Ovus(_)
-                | Poly(_)
-                | Sor(_)
-                | SphereSweep(_)
-                | Superellipsoid(_)
-                | Torus(_)
+            Blob(_) | Julia(_) | Lathe(_) | Ovus(_) | Poly(_) | Sor(_) | SphereSweep(_) | Superellipsoid(_)
         )
     }
 

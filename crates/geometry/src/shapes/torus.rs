@@ -1,8 +1,9 @@
 //! The torus, ring or spindle, about the y axis (shapes spec, section 2).
 use raggio_math::{Aabb, EPS, Ray, Vec2, Vec3, poly};
 
-use super::collect::{Collect, searched_from};
+use super::collect::{AllOfFew, Collect, searched_from};
 use super::revolve::{circle_reach, clip_to_cylinder, clip_to_slab, radius, radius_squared};
+use super::{Few, beyond};
 use crate::{LocalHit, Surface};
 
 const LEAST: f64 = 1e-4;
@@ -27,6 +28,11 @@ impl Torus {
         let [c, b, a] = radius_squared(ray);
         let out = |t: f64| (a * t + b) * t + c;
         out(lo) < hole * hole && out(hi) < hole * hole
+    }
+
+    /// All hits.
+    pub(super) fn few(&self, ray: &Ray, range: (f64, f64), out: &mut Few) {
+        self.search(ray, &mut AllOfFew { range: beyond(range, LEAST), out });
     }
 
     fn search(&self, ray: &Ray, to: &mut impl Collect) {
