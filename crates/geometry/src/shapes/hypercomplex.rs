@@ -7,7 +7,7 @@ use std::ops::{Add, Mul, Sub};
 use raggio_math::{Vec3, Vec4};
 use raggio_scene::JuliaFunction;
 
-use super::julia::proved::Proof;
+use super::julia::proved::{HUGE, Proof};
 use super::julia::together::{Ends, LANES, Lanes, Orbits, choose};
 
 /// A complex number.
@@ -351,7 +351,6 @@ fn proof(
 ) -> Proof {
     let mut none = true;
     for _ in 0..steps {
-        // Balls are a little larger than what they stand for, and sizes far from those that `hypot` is for.
         let size = |k: usize| (q.re[k] * q.re[k] + q.im[k] * q.im[k]).sqrt();
         let sizes = [size(0), size(1)];
         let size2 =
@@ -359,7 +358,11 @@ fn proof(
         if size2(|n, r| (n - r).max(0.0)) > escape {
             return Proof::Outside;
         }
-        none &= size2(|n, r| n + r) < escape;
+        let most = size2(|n, r| n + r);
+        if most.is_nan() || most > HUGE {
+            return Proof::Open;
+        }
+        none &= most < escape;
         radii = [spread(sizes[0], radii[0]), spread(sizes[1], radii[1])];
         q = q.each(&map).with(c, |a, b| a + b);
     }

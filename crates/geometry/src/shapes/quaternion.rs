@@ -1,7 +1,7 @@
 //! Orbits of quaternions under squares and cubes, for Julia fractals.
 use raggio_math::{Vec3, Vec4};
 
-use super::julia::proved::Proof;
+use super::julia::proved::{HUGE, Proof};
 use super::julia::together::{Ends, LANES, Lanes, Orbits, choose};
 
 /// What the map does before it adds the parameter.
@@ -134,6 +134,9 @@ pub(crate) fn proof(
         let size = q.length();
         if size - radius > limit {
             return Proof::Outside;
+        }
+        if (size + radius).is_nan() || size + radius > HUGE {
+            return Proof::Open;
         }
         none &= size + radius < limit;
         radius = power.spread(size, radius);

@@ -20,6 +20,10 @@ pub(in crate::shapes) enum Proof {
     Open,
 }
 
+/// Nothing is proved of balls that reach farther out: their squares might be too large for a number, and a middle that is
+/// infinitely far out seems to be outside however large the ball is.
+pub(in crate::shapes) const HUGE: f64 = 1e100;
+
 /// A proof for each cell of a cube about the origin.
 #[derive(Clone, Debug)]
 pub(super) struct Proved {
