@@ -1,8 +1,8 @@
 //! The traversal, written once for every set of wide instructions and for rays of either precision.
 
-/// A module `$name` with all questions to a mesh, compiled for `$features`.
+/// A module `$name` with all questions to a mesh, compiled for `$features`. `$call` says how any-hit rays ask a leaf.
 macro_rules! kernel {
-    ($name:ident, $features:literal) => {
+    ($name:ident, $features:literal, $call:meta) => {
         mod $name {
             use std::arch::x86_64::*;
             use std::mem::MaybeUninit;
@@ -17,7 +17,7 @@ macro_rules! kernel {
             use crate::mesh::{Block, LEAF, MeshBvh, MeshHit, MeshRay, ROOT, STACK, TriangleHit, UNIT};
             use crate::round::{not_before, not_behind};
 
-            leaf_tests!($features);
+            leaf_tests!($features, $call);
 
             /// A ray as eight boxes see it.
             struct Boxes<B> {
@@ -343,7 +343,7 @@ macro_rules! kernel {
                     }
                     if word != u32::MAX {
                         let block = boxes.block(word);
-                        if single.hit(block, ray.t_max).0 != 0 {
+                        if single.hits(block, ray.t_max) {
                             return true;
                         }
                     }
