@@ -161,6 +161,16 @@ macro_rules! kernel {
                     }
                 }
 
+                /// The same for the children of a node that are in the mask.
+                #[inline]
+                #[target_feature(enable = $features)]
+                fn prefetch_children(&self, node: u32, mut mask: u32) {
+                    while self.far_off && mask != 0 {
+                        self.prefetch(self.child(node, mask.trailing_zeros() as usize));
+                        mask &= mask - 1;
+                    }
+                }
+
                 /// Of the children of a node that are in the mask, two or more, the one that the ray enters first. The
                 /// others are shown to `wait`.
                 #[inline]
@@ -192,6 +202,11 @@ macro_rules! kernel {
             /// A child on the stack: where it is entered (a float that is not negative orders like its bits) and its word.
             type Entry = u64;
 
+            /// Marks a way as one that is taken less often.
+            #[cold]
+            #[inline(always)]
+            fn cold_path() {}
+
             #[inline(always)]
             fn entry(t: f32, word: u32) -> Entry {
                 u64::from(t.to_bits()) << 32 | u64::from(word)
@@ -215,31 +230,27 @@ macro_rules! kernel {
                         let mut t = [0.0f32; 8];
                         // SAFETY: eight floats are written to an array of eight.
                         unsafe { _mm256_storeu_ps(t.as_mut_ptr(), near) };
+                        let node = word;
                         let first = mask.trailing_zeros() as usize;
-                        mask &= mask - 1;
-                        if mask == 0 {
-                            word = boxes.child(word, first);
+                        word = boxes.child(node, first);
+                        if mask & (mask - 1) == 0 {
                             continue;
                         }
-                        let child = |slot: usize| {
-                            let word = boxes.child(word, slot);
-                            boxes.prefetch(word);
-                            entry(t[slot & 7], word)
-                        };
-                        // Mostly there are two.
-                        let (one, other) = (child(first), child(mask.trailing_zeros() as usize));
+                        boxes.prefetch_children(node, mask);
+                        let (mut nearest, base) = (entry(t[first & 7], word), top);
                         mask &= mask - 1;
-                        let mut nearest = one.min(other);
-                        // SAFETY: top stays under STACK by the builder's depth bound.
-                        unsafe { stack.get_unchecked_mut(top).write(one.max(other)) };
-                        let base = top;
-                        top += 1;
                         while mask != 0 {
-                            let other = child(mask.trailing_zeros() as usize);
+                            let slot = mask.trailing_zeros() as usize;
                             mask &= mask - 1;
-                            let (near, far) =
-                                if other < nearest { (other, nearest) } else { (nearest, other) };
-                            nearest = near;
+                            let other = entry(t[slot & 7], boxes.child(node, slot));
+                            // A branch, so that the way may go on before it is known which is nearer.
+                            let far = if nearest < other {
+                                other
+                            } else {
+                                cold_path();
+                                word = boxes.child(node, slot);
+                                std::mem::replace(&mut nearest, other)
+                            };
                             // Keep the waiting children sorted, the farthest at the bottom.
                             let mut at = top;
                             // SAFETY: entries base..top were written; top stays under STACK by the builder's depth bound.
@@ -252,7 +263,6 @@ macro_rules! kernel {
                             }
                             top += 1;
                         }
-                        word = nearest as u32;
                     }
                     if word != u32::MAX {
                         let block = boxes.block(word);
