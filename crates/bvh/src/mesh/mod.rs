@@ -13,6 +13,8 @@
 #[macro_use]
 mod block;
 #[macro_use]
+mod boxes;
+#[macro_use]
 mod leaf;
 #[macro_use]
 mod kernel;
