@@ -12,6 +12,9 @@ const LOOSE: usize = 4;
 /// Points in a block.
 pub(crate) const POINTS: usize = 8;
 
+/// Most points in a block of any kind.
+pub(crate) const MOST_POINTS: usize = 3 * LOOSE;
+
 /// How far the third corner of the first four lanes is up in its word, and that of the last two in theirs.
 pub(crate) const THIRD: u32 = 18;
 
@@ -19,6 +22,8 @@ pub(crate) const THIRD: u32 = 18;
 pub(crate) trait Block: Copy + Send + Sync {
     /// Most triangles.
     const LANES: usize;
+    /// Most points that are corners.
+    const POINTS: usize;
     /// Is it a [`Loose`] one? Otherwise it is [`Shared`].
     const LOOSE: bool;
     /// What visiting a node costs, in tests of a block.
@@ -30,8 +35,17 @@ pub(crate) trait Block: Copy + Send + Sync {
     /// Index of the triangle in a lane; `u32::MAX` in unused lanes.
     fn triangle(&self, lane: usize) -> u32;
 
+    /// Which point is a corner of the triangle in a lane.
+    fn corner_point(&self, lane: usize, k: usize) -> usize;
+
+    /// Where a point is.
+    fn point(&self, point: usize) -> [f32; 3];
+
     /// Where a corner of the triangle in a lane is.
-    fn corner(&self, lane: usize, k: usize) -> [f32; 3];
+    #[inline(always)]
+    fn corner(&self, lane: usize, k: usize) -> [f32; 3] {
+        self.point(self.corner_point(lane, k))
+    }
 
     /// Moves a corner.
     fn set_corner(&mut self, lane: usize, k: usize, p: [f32; 3]);
@@ -94,6 +108,7 @@ pub(crate) struct Shared {
 
 impl Block for Loose {
     const LANES: usize = LOOSE;
+    const POINTS: usize = MOST_POINTS;
     const LOOSE: bool = true;
     const NODE_COST: f32 = 1.0;
 
@@ -114,8 +129,15 @@ impl Block for Loose {
     }
 
     #[inline(always)]
-    fn corner(&self, lane: usize, k: usize) -> [f32; 3] {
-        self.corner[k].map(|row| row[lane])
+    fn corner_point(&self, lane: usize, k: usize) -> usize {
+        k * LOOSE + lane
+    }
+
+    #[inline(always)]
+    fn point(&self, point: usize) -> [f32; 3] {
+        let [x, y, z] = &self.corner[point / LOOSE];
+        let lane = point % LOOSE;
+        [x[lane], y[lane], z[lane]]
     }
 
     fn set_corner(&mut self, lane: usize, k: usize, p: [f32; 3]) {
@@ -127,6 +149,7 @@ impl Block for Loose {
 
 impl Block for Shared {
     const LANES: usize = SHARED;
+    const POINTS: usize = POINTS;
     const LOOSE: bool = false;
     const NODE_COST: f32 = 2.0;
 
@@ -161,13 +184,18 @@ impl Block for Shared {
     }
 
     #[inline(always)]
-    fn corner(&self, lane: usize, k: usize) -> [f32; 3] {
-        let point = self.point(lane, k);
+    fn corner_point(&self, lane: usize, k: usize) -> usize {
+        let (word, up) = Shared::bits(lane, k);
+        (self.corner[word] >> up) as usize & (POINTS - 1)
+    }
+
+    #[inline(always)]
+    fn point(&self, point: usize) -> [f32; 3] {
         [self.place[0][point], self.place[1][point], self.place[2][point]]
     }
 
     fn set_corner(&mut self, lane: usize, k: usize, p: [f32; 3]) {
-        self.put(self.point(lane, k), p);
+        self.put(self.corner_point(lane, k), p);
     }
 }
 
@@ -199,13 +227,6 @@ impl Shared {
             (2, _) => (0, THIRD + 3 * lane as u32),
             _ => (k, 3 * lane as u32),
         }
-    }
-
-    /// Which point is a corner of a lane.
-    #[inline(always)]
-    fn point(&self, lane: usize, k: usize) -> usize {
-        let (word, up) = Shared::bits(lane, k);
-        (self.corner[word] >> up) as usize & (POINTS - 1)
     }
 }
 

@@ -12,7 +12,7 @@ pub(crate) static CORNERS: [[u32; 8]; 2] =
 
 /// `Single` and `Double`: a ray spread over lanes, made ready for triangles.
 macro_rules! leaf_tests {
-    ($features:literal) => {
+    ($features:literal, $call:meta) => {
         /// Which points are the first, second and third corners of each lane; only the lowest three bits count.
         #[inline]
         #[target_feature(enable = $features)]
@@ -149,6 +149,13 @@ macro_rules! leaf_tests {
                 let before = _mm256_cmp_ps::<_CMP_LE_OQ>(t, _mm256_set1_ps(t_max));
                 let ok = _mm256_and_ps(one_sided, _mm256_and_ps(after, before));
                 (_mm256_movemask_ps(ok) as u32, _mm256_blendv_ps(_mm256_set1_ps(f32::INFINITY), t, ok))
+            }
+
+            /// Does the ray hit a block before `t_max`?
+            #[$call]
+            #[target_feature(enable = $features)]
+            fn hits<B: Block>(&self, block: &B, t_max: f32) -> bool {
+                self.hit(block, t_max).0 != 0
             }
         }
 

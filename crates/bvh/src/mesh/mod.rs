@@ -13,11 +13,17 @@
 #[macro_use]
 mod block;
 #[macro_use]
+mod boxes;
+#[macro_use]
 mod leaf;
 #[macro_use]
 mod kernel;
+#[macro_use]
+mod bundle;
 mod build;
 mod double;
+#[cfg(target_arch = "x86_64")]
+mod lanes;
 mod packet;
 mod refit;
 mod scalar;
@@ -132,6 +138,11 @@ impl Packet {
             dir: pick(&self.dir),
             t_max: self.t_max[i],
         }
+    }
+
+    /// All of them. One that is read as soon as it is written would have to be waited for.
+    fn rays(&self) -> [MeshRay; 16] {
+        std::array::from_fn(|i| self.ray(i))
     }
 }
 

@@ -3,6 +3,8 @@ use raggio_math::Vec3;
 
 use super::*;
 
+mod packets;
+
 /// How often to repeat: under Miri, which is a thousand times slower, far less often.
 fn times(count: usize) -> usize {
     if cfg!(miri) { count.div_ceil(100) } else { count }
@@ -92,73 +94,6 @@ fn nothing_coincident_flat_and_huge_are_harmless() {
     assert!(!degenerate.any(&down));
     let huge = MeshBvh::build(&p, &[[0, 1, 3], [0, 1, 2]]);
     assert_eq!(huge.closest(&down).map(|h| h.triangle), Some(1));
-}
-
-/// Nothing, one, many in one place, flat ones, very large and far ones: packets answer like single rays, rays that are
-/// not numbers and ranges without end included.
-#[test]
-fn packets_agree_with_single_rays_on_odd_meshes() {
-    let p =
-        [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1e18, 1e18, 0.0], [1e30, -1e30, 1e30], [2.0, 0.0, 0.0]];
-    let meshes: [&[[u32; 3]]; 7] = [
-        &[],
-        &[[0, 1, 2]],
-        &[[0, 1, 2]; 100],
-        &[[0, 0, 1], [1, 1, 1], [0, 1, 5]],
-        &[[0, 1, 3], [0, 1, 2]],
-        &[[0, 1, 4], [0, 4, 2], [0, 1, 2]],
-        &[[0, 0, 1], [0, 1, 2], [3, 4, 4], [0, 1, 2], [1, 5, 2], [0, 1, 4]],
-    ];
-    let mut random = Random(17);
-    for triangles in meshes {
-        let bvh = MeshBvh::build(&p, triangles);
-        for n in 0..times(100) {
-            let origin = [0.2 + 0.1 * random.float(), 0.3, if n % 2 == 0 { 3.0 } else { -3.0 }];
-            let rays: [MeshRay; 16] = std::array::from_fn(|i| {
-                let mut one = ray(origin, [0.05 * random.float(), 0.05 * random.float(), -origin[2]]);
-                match (n % 5, i) {
-                    (1, 3) => one.dir = [0.0, 0.0, -origin[2]],
-                    (2, 5) => one.t_max = 0.5,
-                    (3, 7) => one.dir[0] = f32::NAN,
-                    (4, 9) => one.t_min = 1.5,
-                    _ => {}
-                }
-                one
-            });
-            let packet = Packet::new(&rays);
-            let (hits, any) = (bvh.closest_packet(&packet), bvh.any_packet(&packet));
-            for (i, ray) in rays.iter().enumerate() {
-                let single = bvh.closest(ray).map_or(f32::INFINITY, |h| h.t);
-                let same = hits.t[i] == single || (hits.t[i] - single).abs() <= 1e-5 * single;
-                assert!(same, "{triangles:?} {} {single} {ray:?}", hits.t[i]);
-                assert_eq!(any >> i & 1 == 1, single < f32::INFINITY, "{triangles:?} {ray:?}");
-            }
-        }
-    }
-}
-
-#[test]
-fn packets_agree_with_single_rays() {
-    let mut random = Random(11);
-    let (vertices, triangles) = soup(300, 0.2, &mut random);
-    let bvh = MeshBvh::build(&vertices, &triangles);
-    for n in 0..times(300) {
-        // Narrow bundles, wide ones, and some without any coherence.
-        let spread = [0.02, 0.3, 4.0][n % 3];
-        let (origin, dir) = (random.point().map(|c| 3.0 * c), random.point());
-        let rays: [MeshRay; 16] = std::array::from_fn(|_| {
-            let d = random.point();
-            ray(origin, [0, 1, 2].map(|k| dir[k] + spread * d[k]))
-        });
-        let packet = Packet::new(&rays);
-        let (hits, any) = (bvh.closest_packet(&packet), bvh.any_packet(&packet));
-        for (i, ray) in rays.iter().enumerate() {
-            let single = bvh.closest(ray).map_or((f32::INFINITY, u32::MAX), |h| (h.t, h.triangle));
-            assert_eq!(any >> i & 1 == 1, single.1 != u32::MAX, "{ray:?}");
-            let close = hits.t[i] == single.0 || (hits.t[i] - single.0).abs() < 1e-5 * single.0;
-            assert!(close, "{} {} {ray:?}", hits.t[i], single.0);
-        }
-    }
 }
 
 /// A closed, finely divided sphere seen from inside: every ray must hit, those through edges and corners too.

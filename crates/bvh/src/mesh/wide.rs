@@ -81,7 +81,9 @@ pub(crate) fn all(bvh: &MeshBvh, ray: &Ray, range: (f64, f64), found: impl FnMut
     dispatch!(bvh, all(ray, range, found));
 }
 
+// Sixteen registers are too few for both boxes and triangles: in one function with the way through the boxes, what waits
+// for a triangle waits for memory as well.
 #[cfg(target_arch = "x86_64")]
-kernel!(avx2, "avx2,fma,bmi1,bmi2");
+kernel!(avx2, "avx2,fma,bmi1,bmi2", inline(never));
 #[cfg(target_arch = "x86_64")]
-kernel!(avx512, "avx2,fma,bmi1,bmi2,avx512f,avx512vl,avx512dq");
+kernel!(avx512, "avx2,fma,bmi1,bmi2,avx512f,avx512vl,avx512dq", inline);
