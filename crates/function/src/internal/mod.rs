@@ -14,8 +14,9 @@ use crate::Internal;
 use crate::bounds::Bounds;
 use over_numbers::{length, turned};
 
-/// The point and the parameters of a call.
+/// The point and the parameters of a call; native code writes its fields in their order.
 #[derive(Clone, Copy)]
+#[repr(C)]
 pub(crate) struct Args<N = f64> {
     pub(crate) x: N,
     pub(crate) y: N,

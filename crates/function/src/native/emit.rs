@@ -14,6 +14,7 @@ use cranelift_codegen::isa::OwnedTargetIsa;
 use super::flow::{self, Flow};
 use super::kernels::{self, Kernel};
 use super::operations::{self, Done};
+use crate::internal::Entry;
 use crate::program::{Call, Code, Op, Program, Target};
 
 /// Bytes of a number.
@@ -51,6 +52,7 @@ struct Emitter<'a> {
     /// Signatures of kernels of so many numbers.
     signatures: [Option<SigRef>; 4],
     calling: Option<SigRef>,
+    internal: Option<SigRef>,
 }
 
 impl<'a> Emitter<'a> {
@@ -78,6 +80,7 @@ impl<'a> Emitter<'a> {
             room,
             signatures: [None; 4],
             calling: None,
+            internal: None,
         })
     }
 
@@ -211,6 +214,11 @@ impl<'a> Emitter<'a> {
             self.write(*call.outputs.first()? as usize, value);
             return Some(());
         }
+        if let Target::Internal(entry) = call.target {
+            let value = self.call_internal(entry, &call.args)?;
+            self.write(*call.outputs.first()? as usize, value);
+            return Some(());
+        }
         let [args, answer] = self.room?;
         for (k, &register) in call.args.iter().take(kernels::most_args(&call.target)).enumerate() {
             let value = self.read(register)?;
@@ -235,6 +243,28 @@ impl<'a> Emitter<'a> {
             self.write(register as usize, value);
         }
         Some(())
+    }
+
+    /// Calls an internal function; parameters that are missing are 0.
+    fn call_internal(&mut self, entry: &'static Entry, registers: &[u32]) -> Option<Value> {
+        let [args, _] = self.room?;
+        let mut values = [None; kernels::ARGS];
+        for (k, &register) in registers.iter().enumerate() {
+            *values.get_mut(kernels::place(k))? = Some(self.read(register)?);
+        }
+        let zero = self.cursor.ins().f64const(0.0);
+        for (k, value) in values.into_iter().enumerate() {
+            self.cursor.ins().stack_store(value.unwrap_or(zero), args, k as i32 * SIZE as i32);
+        }
+        let pointer = self.isa.pointer_type();
+        let signature = match self.internal {
+            Some(signature) => signature,
+            None => self.signature(&[pointer; 2]),
+        };
+        self.internal = Some(signature);
+        let which = self.cursor.ins().iconst(pointer, std::ptr::from_ref(entry) as i64);
+        let args = self.cursor.ins().stack_addr(pointer, args, 0);
+        Some(self.call_address(signature, kernels::of_internal(), &[which, args]))
     }
 
     /// The value of a register.

@@ -4,7 +4,7 @@
 #![allow(unsafe_code)] // Arguments come as pointers, each with its reason.
 use raggio_math::{Vec3, noise};
 
-use crate::internal::Args;
+use crate::internal::{Args, Entry};
 use crate::program::{Call, Target};
 use crate::{Builtin, MAX_PARAMS};
 
@@ -70,13 +70,10 @@ pub(super) fn of_noise(generator: u8) -> Option<Kernel> {
 /// What makes a call of any other kind: the call, its arguments, room for the answer's components.
 pub(super) type Calling = unsafe extern "C" fn(*const Call, *const f64, *mut [f64; 5]) -> f64;
 
-/// The arguments of the internal function that takes most: a point and ten parameters.
-const MOST_INTERNAL: usize = 13;
-
 /// The most arguments that a call is given here.
 pub(super) fn most_args(target: &Target) -> usize {
     match target {
-        Target::Internal(_) => MOST_INTERNAL,
+        Target::Internal(_) => ARGS,
         Target::Noise(_) => 3,
         Target::User(_) => MAX_PARAMS,
         Target::External(_) => 4,
@@ -86,10 +83,9 @@ pub(super) fn most_args(target: &Target) -> usize {
 /// The kernel of a call; `None` for those that have a kernel of their own.
 pub(super) fn of_call(target: &Target) -> Option<Calling> {
     match target {
-        Target::Internal(_) => Some(internal),
         Target::User(_) => Some(user),
         Target::External(_) => Some(external),
-        Target::Noise(_) => None,
+        Target::Internal(_) | Target::Noise(_) => None,
     }
 }
 
@@ -103,14 +99,23 @@ unsafe fn arguments<'a>(call: &Call, args: *const f64) -> &'a [f64] {
     unsafe { std::slice::from_raw_parts(args, count) }
 }
 
-unsafe extern "C" fn internal(call: *const Call, args: *const f64, _: *mut [f64; 5]) -> f64 {
-    // SAFETY: the call is one of the running program, the arguments are those that it needs.
-    let (call, args) = unsafe { (&*call, arguments(&*call, args)) };
-    const PLACES: [u32; MOST_INTERNAL] = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12];
-    match &call.target {
-        Target::Internal(entry) => (entry.value)(&Args::gather(&PLACES[..args.len()], |k| args[k as usize])),
-        _ => f64::NAN,
-    }
+/// How many numbers the arguments of an internal function are.
+pub(super) const ARGS: usize = size_of::<Args>() / size_of::<f64>();
+
+/// Where argument number `k` of a call stands among them: they count parameters from 1.
+pub(super) fn place(k: usize) -> usize {
+    if k < 3 { k } else { k + 1 }
+}
+
+/// Where the kernel of internal functions is.
+pub(super) fn of_internal() -> usize {
+    internal as *const () as usize
+}
+
+unsafe extern "C" fn internal(entry: *const Entry, args: *const Args) -> f64 {
+    // SAFETY: the entry is one of the static table, and native code has written all numbers of the arguments.
+    let (entry, args) = unsafe { (&*entry, &*args) };
+    (entry.value)(args)
 }
 
 unsafe extern "C" fn user(call: *const Call, args: *const f64, _: *mut [f64; 5]) -> f64 {

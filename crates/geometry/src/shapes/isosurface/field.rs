@@ -4,7 +4,7 @@
 //! without the surface are left out, those where the slopes hardly differ are not cut further. What a box knows does not
 //! depend on who asks, so pictures do not depend on the order of rays.
 use std::collections::HashMap;
-use std::sync::atomic::{AtomicU32, AtomicU64, Ordering};
+use std::sync::atomic::{AtomicU8, AtomicU32, AtomicU64, Ordering};
 use std::sync::{Arc, LazyLock, Mutex, OnceLock, PoisonError, Weak};
 
 use once_cell::race::OnceBox;
@@ -54,29 +54,15 @@ pub(super) struct Cell {
     pub plane: f64,
     halves: OnceBox<[Cell; 2]>,
     known: Box<Known>,
-    pub kind: Kind,
+    /// A [`Kind`]; that of a box that is cut changes when its halves turn out to be free.
+    kind: AtomicU8,
     /// How often the whole was cut to get here.
     depth: u8,
 }
 
 /// What a walk has to know of a box.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd)]
-#[repr(u8)]
-pub(super) enum Kind {
-    /// It is cut across an axis, which the last two bits tell.
-    CutX = 0,
-    CutY = 1,
-    CutZ = 2,
-    /// The surface may be in it; it is cut once it has often been searched.
-    LateX = 4,
-    LateY = 5,
-    LateZ = 6,
-    /// It is not cut, and the surface may be in it.
-    Open = 8,
-    /// Not cut; the function is above the threshold, or below it, everywhere in it.
-    Above,
-    Below,
-}
+pub(super) struct Kind(u8);
 
 /// What is known of a box.
 #[derive(Debug)]
@@ -143,19 +129,34 @@ impl Model {
 }
 
 impl Kind {
+    /// From here it is cut across an axis, which the last two bits tell.
+    const CUT: Kind = Kind(0);
+    /// From here the surface may be in it; it is cut once it has often been searched.
+    pub(super) const LATE: Kind = Kind(4);
+    /// It is not cut, and the surface may be in it.
+    pub(super) const OPEN: Kind = Kind(8);
+    /// The function is above the threshold, or below it, everywhere in it.
+    const ABOVE: Kind = Kind(9);
+    const BELOW: Kind = Kind(10);
+
     /// The axis across which a box is or will be cut.
     #[inline(always)]
     pub(super) fn axis(self) -> usize {
-        self as usize & 3
+        self.0 as usize & 3
+    }
+
+    /// One that is or will be cut.
+    fn across(self, axis: usize) -> Kind {
+        Kind(self.0 | axis as u8)
     }
 
     fn uncut(value: Range) -> Kind {
         if value.lo > 0.0 {
-            Kind::Above
+            Kind::ABOVE
         } else if value.hi < 0.0 {
-            Kind::Below
+            Kind::BELOW
         } else {
-            Kind::Open
+            Kind::OPEN
         }
     }
 }
@@ -164,19 +165,36 @@ impl Cell {
     /// Is `sign` times the function positive in all of the box?
     #[inline]
     pub(super) fn is_positive(&self, sign: f64) -> bool {
-        self.kind == if sign > 0.0 { Kind::Above } else { Kind::Below }
+        self.kind() == if sign > 0.0 { Kind::ABOVE } else { Kind::BELOW }
     }
 
-    /// The halves of a box that was cut late, if it was.
+    /// What the box is now: other threads may find out more at any time.
+    #[inline(always)]
+    pub(super) fn kind(&self) -> Kind {
+        Kind(self.kind.load(Ordering::Relaxed))
+    }
+
+    /// The halves of a box that is cut late, if it has been.
     #[inline(always)]
     pub(super) fn late_halves(&self) -> Option<&[Cell; 2]> {
-        if self.kind < Kind::Open { self.halves.get() } else { None }
+        self.halves.get()
     }
 
     /// How many boxes were made of this one, with itself.
     #[cfg(test)]
     pub(super) fn count(&self) -> usize {
         1 + self.halves.get().map_or(0, |halves| halves.iter().map(Cell::count).sum())
+    }
+
+    /// Joins halves around a point that are free alike: a walk need not look into them any more.
+    fn join(&self, at: Vec3) {
+        let kind = self.kind();
+        let Some(halves) = self.halves.get().filter(|_| kind < Kind::OPEN) else { return };
+        halves[usize::from(at[kind.axis()] >= self.plane)].join(at);
+        let [low, high] = halves.each_ref().map(Cell::kind);
+        if low == high && low > Kind::OPEN {
+            self.kind.store(low.0, Ordering::Relaxed);
+        }
     }
 
     #[inline]
@@ -187,11 +205,17 @@ impl Cell {
     /// Where the value at a point of the box lies.
     #[inline]
     pub(super) fn value_at(&self, p: Vec3) -> Range {
-        if self.kind > Kind::Open || !self.known.model.is_known() {
-            return self.known.value;
+        let Known { value, model, .. } = &*self.known;
+        let value = match self.kind() {
+            Kind::ABOVE => Range { lo: value.lo.max(f64::MIN_POSITIVE), ..*value },
+            Kind::BELOW => Range { hi: value.hi.min(-f64::MIN_POSITIVE), ..*value },
+            _ => *value,
+        };
+        if !model.is_known() {
+            return value;
         }
-        let (middle, off) = self.known.model.at(p);
-        Range { lo: middle - off, hi: middle + off }
+        let (middle, off) = model.at(p);
+        Range { lo: middle - off, hi: middle + off }.meet(value)
     }
 }
 
@@ -208,7 +232,7 @@ impl Known {
     /// How the box is cut, if it is.
     fn cut(&self, axis: usize, depth: u8, max_gradient: f64) -> Option<Kind> {
         if self.is_worth_cutting(depth, MOST_CUTS, max_gradient) {
-            return Some([Kind::CutX, Kind::CutY, Kind::CutZ][axis]);
+            return Some(Kind::CUT.across(axis));
         }
         let Model { slope, spread, .. } = self.model;
         // Only where the first point of a grid below zero is found whatever is known of smaller boxes: else what a ray
@@ -216,7 +240,7 @@ impl Known {
         let is_certain =
             (slope.abs() + spread).length() <= max_gradient && spread.length() < TELLING * max_gradient;
         (is_certain && self.is_worth_cutting(depth, MOST_LATE_CUTS, max_gradient))
-            .then(|| [Kind::LateX, Kind::LateY, Kind::LateZ][axis])
+            .then(|| Kind::LATE.across(axis))
     }
 }
 
@@ -300,7 +324,7 @@ impl Field {
     /// Takes note that the function was searched for roots in a box; cuts it if that is often done.
     #[inline]
     pub(super) fn note_search(&self, cell: &Cell) {
-        if cell.kind < Kind::Open {
+        if cell.kind() < Kind::OPEN {
             // Threads may lose each other's counts.
             let searches = cell.known.searches.load(Ordering::Relaxed) + 1;
             cell.known.searches.store(searches, Ordering::Relaxed);
@@ -314,13 +338,15 @@ impl Field {
     #[cold]
     #[inline(never)]
     fn cut<'a>(&self, cell: &'a Cell) -> &'a [Cell; 2] {
-        cell.halves.get_or_init(|| {
+        let halves = cell.halves.get_or_init(|| {
             let (mut low, mut high) = (cell.known.bounds, cell.known.bounds);
-            let axis = cell.kind.axis();
+            let axis = cell.kind().axis();
             low.max[axis] = cell.plane;
             high.min[axis] = cell.plane;
             Box::new([low, high].map(|bounds| self.cell(bounds, cell.depth + 1)))
-        })
+        });
+        self.root().join(cell.known.bounds.centre());
+        halves
     }
 
     /// Bounds the function over a box that comes from cutting the whole `depth` times.
@@ -348,7 +374,7 @@ impl Field {
             plane: cut.map_or(0.0, |kind| centre[kind.axis()]),
             halves: OnceBox::new(),
             known,
-            kind: cut.unwrap_or_else(|| Kind::uncut(value)),
+            kind: AtomicU8::new(cut.unwrap_or_else(|| Kind::uncut(value)).0),
             depth,
         }
     }

@@ -67,14 +67,19 @@ impl<'a> Walk<'a> {
     fn pop(&mut self) -> Option<(&'a Cell, f64)> {
         let mut count = self.count.checked_sub(1)?;
         let (mut cell, mut to) = *self.waiting.get(count)?;
+        // Read once for each box: other threads may join its halves at any time.
+        let mut kind = cell.kind();
         loop {
-            while cell.kind < Kind::LateX {
+            while kind < Kind::LATE {
                 let halves = self.field.halves(cell);
-                (cell, to) = self.step(cell, halves, cell.kind as usize & 3, to, &mut count);
+                (cell, to) = self.step(cell, halves, kind.axis(), to, &mut count);
+                kind = cell.kind();
             }
             // Few have been cut late.
-            let Some(halves) = cell.late_halves() else { break };
-            (cell, to) = self.step(cell, halves, cell.kind.axis(), to, &mut count);
+            let late = if kind < Kind::OPEN { cell.late_halves() } else { None };
+            let Some(halves) = late else { break };
+            (cell, to) = self.step(cell, halves, kind.axis(), to, &mut count);
+            kind = cell.kind();
         }
         self.count = count;
         Some((cell, to))
