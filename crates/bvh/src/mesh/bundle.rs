@@ -9,8 +9,8 @@ macro_rules! packet_kernel {
 
             use crate::kernel::SLACK;
             use crate::mesh::block::{Block, MOST_POINTS};
+            use crate::mesh::coherent::{Stack, steep_axis};
             use crate::mesh::lanes::$lanes::*;
-            use crate::mesh::packet::{Stack, steep_axis};
             use crate::mesh::{LEAF, MeshBvh, Node, Packet, PacketHit, ROOT, STACK, block};
 
             /// Rows in a packet.

@@ -21,6 +21,8 @@ mod kernel;
 #[macro_use]
 mod bundle;
 mod build;
+#[cfg(target_arch = "x86_64")]
+mod coherent;
 mod double;
 #[cfg(target_arch = "x86_64")]
 mod lanes;

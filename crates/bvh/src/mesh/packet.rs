@@ -7,17 +7,8 @@
 //! One kernel, compiled twice: for two rows of eight lanes, and for one of sixteen.
 #![allow(unsafe_code)]
 
-use std::mem::MaybeUninit;
-
 use super::wide::Isa;
-use super::{MeshBvh, Packet, PacketHit, STACK};
-
-/// How far directions may lie apart, as a share of the longest part of any. Wider packets take longer than their rays
-/// one by one, unless triangles are large.
-const SPREAD: f32 = 0.125;
-
-/// Beyond these lengths inverse directions lose digits.
-const LENGTHS: (f32, f32) = (1e-18, 1e18);
+use super::{MeshBvh, Packet, PacketHit};
 
 /// Asks the kernel of the mesh's instructions, if there is one that can answer.
 macro_rules! dispatch {
@@ -51,51 +42,6 @@ pub(crate) fn any(bvh: &MeshBvh, packet: &Packet) -> u16 {
     dispatch!(bvh, any(packet)).unwrap_or_else(|| {
         packet.rays().iter().enumerate().map(|(i, ray)| u16::from(bvh.any(ray)) << i).sum()
     })
-}
-
-/// The steepest axis of directions between least and greatest ones. `None` where they do not lie in one octant, and
-/// close together.
-#[inline]
-fn steep_axis(dir: &[(f32, f32); 3]) -> Option<usize> {
-    // On one side of 0 the least size of a part is one of its ends, on both sides it is negative.
-    let steep = dir.map(|(low, high)| low.max(-high));
-    let largest = dir.iter().fold(0.0, |a: f32, &(low, high)| a.max(high).max(-low));
-    let flattest = steep[0].min(steep[1]).min(steep[2]);
-    let spread = dir.iter().fold(0.0, |a: f32, &(low, high)| a.max(high - low));
-    let even = flattest > LENGTHS.0.max(1e-12 * largest) && largest < LENGTHS.1;
-    let z = if steep[0] > steep[1] { 0 } else { 1 };
-    (even && spread <= SPREAD * largest).then_some(if steep[2] > steep[z] { 2 } else { z })
-}
-
-/// Children waiting, the nearest on top. The room is borrowed: as a field beside `top` it would be zeroed for each
-/// packet.
-struct Stack<'a> {
-    entries: &'a mut [MaybeUninit<u64>; STACK],
-    top: usize,
-}
-
-impl Stack<'_> {
-    #[inline(always)]
-    fn pop(&mut self) -> Option<(f32, u32)> {
-        self.top = self.top.checked_sub(1)?;
-        // SAFETY: everything below the old top was written.
-        let entry = unsafe { self.entries[self.top].assume_init() };
-        Some((f32::from_bits((entry >> 32) as u32), entry as u32))
-    }
-
-    /// Pushes a child among those of the same node, which begin at `base`.
-    #[inline(always)]
-    fn push(&mut self, base: usize, t: f32, word: u32) {
-        let entry = u64::from(t.max(0.0).to_bits()) << 32 | u64::from(word);
-        let mut at = self.top;
-        // SAFETY: entries base..top were written.
-        while at > base && unsafe { self.entries[at - 1].assume_init() } < entry {
-            self.entries[at] = self.entries[at - 1];
-            at -= 1;
-        }
-        self.entries[at].write(entry);
-        self.top += 1;
-    }
 }
 
 #[cfg(target_arch = "x86_64")]
