@@ -206,16 +206,17 @@ impl Cell {
     #[inline]
     pub(super) fn value_at(&self, p: Vec3) -> Range {
         let Known { value, model, .. } = &*self.known;
-        let value = match self.kind() {
-            Kind::ABOVE => Range { lo: value.lo.max(f64::MIN_POSITIVE), ..*value },
-            Kind::BELOW => Range { hi: value.hi.min(-f64::MIN_POSITIVE), ..*value },
-            _ => *value,
-        };
-        if !model.is_known() {
-            return value;
+        if !value.contains(0.0) || !model.is_known() {
+            return *value;
         }
         let (middle, off) = model.at(p);
-        Range { lo: middle - off, hi: middle + off }.meet(value)
+        let (lo, hi) = (middle - off, middle + off);
+        match self.kind() {
+            // Known from the halves alone.
+            Kind::ABOVE => Range { lo: f64::MIN_POSITIVE, hi: f64::INFINITY }.meet(Range { lo, hi }),
+            Kind::BELOW => Range { lo: f64::NEG_INFINITY, hi: -f64::MIN_POSITIVE }.meet(Range { lo, hi }),
+            _ => Range { lo, hi },
+        }
     }
 }
 
