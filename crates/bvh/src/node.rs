@@ -82,14 +82,15 @@ impl Node {
         child: [Child::LEAF; WIDTH],
     };
 
-    /// The boxes and words of the places that are in use.
-    pub(crate) fn children(&self) -> impl Iterator<Item = (Aabb, u32)> + '_ {
-        let corner = |first: usize, i: usize| {
-            let [x, y, z] = [0, 1, 2].map(|k| f64::from(self.bounds[first + k][i]));
-            Vec3::new(x, y, z)
-        };
-        let all = (0..WIDTH).map(move |i| (Aabb { min: corner(0, i), max: corner(3, i) }, self.child[i]));
-        all.filter(|(b, _)| !b.is_empty())
+    /// The box of a place.
+    pub(crate) fn child_box(&self, i: usize) -> Aabb {
+        let corner = |first: usize| Vec3::from([0, 1, 2].map(|k| f64::from(self.bounds[first + k][i])));
+        Aabb { min: corner(0), max: corner(3) }
+    }
+
+    /// The places that are in use, with their boxes.
+    pub(crate) fn children(&self) -> impl Iterator<Item = (usize, Aabb)> + '_ {
+        (0..WIDTH).map(|i| (i, self.child_box(i))).filter(|(_, b)| !b.is_empty())
     }
 
     /// A box around all of it.

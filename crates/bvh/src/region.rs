@@ -17,12 +17,6 @@ pub struct Region {
     pub planes: [(Vec3, f64); 4],
 }
 
-/// The box of a child.
-fn child_box(node: &Node, i: usize) -> Aabb {
-    let corner = |at: usize| Vec3::from([0, 1, 2].map(|k| f64::from(node.bounds[at + k][i])));
-    Aabb { min: corner(0), max: corner(3) }
-}
-
 /// Which children of a node reach into a region: a bit each.
 struct Reaching<'a> {
     region: &'a Region,
@@ -69,7 +63,7 @@ impl Region {
         while reaching != 0 {
             let i = reaching.trailing_zeros() as usize;
             reaching &= reaching - 1;
-            visit(i, &child_box(node, i));
+            visit(i, &node.child_box(i));
         }
     }
 
@@ -87,7 +81,7 @@ impl BoxRow {
     /// The box around all boxes that lie beside a point; see [`Bvh::beside`].
     pub fn beside(&self, p: Vec3, mut around: impl FnMut(u32, &Aabb)) -> Aabb {
         let mut all = Aabb::EMPTY;
-        for (i, b) in (0..WIDTH).map(|i| (i, child_box(&self.node, i))).filter(|(_, b)| !b.is_empty()) {
+        for (i, b) in self.node.children() {
             match is_beside(&b, p) {
                 true => all = all.union(&b),
                 false => around(i as u32, &b),
@@ -133,7 +127,7 @@ impl Bvh {
         }
         while let Some(index) = stack.pop() {
             let node = &self.nodes[index as usize];
-            for (i, b) in (0..WIDTH).map(|i| (i, child_box(node, i))).filter(|(_, b)| !b.is_empty()) {
+            for (i, b) in node.children() {
                 match node.child(i).kind() {
                     _ if is_beside(&b, p) => all = all.union(&b),
                     Kind::Inner(inner) => stack.push(inner as u32),

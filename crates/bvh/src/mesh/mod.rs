@@ -200,9 +200,11 @@ impl MeshBvh {
     /// they tell much better where the mesh then is than the box around it all.
     pub fn parts(&self) -> Vec<Aabb> {
         let mut parts = Vec::new();
-        for (b, word) in self.nodes[0].children() {
+        let root = &self.nodes[0];
+        for (i, b) in root.children() {
+            let word = root.child[i];
             match word & LEAF {
-                0 => parts.extend(self.node(word).children().map(|(b, _)| b)),
+                0 => parts.extend(self.node(word).children().map(|(_, b)| b)),
                 _ => parts.push(b),
             }
         }

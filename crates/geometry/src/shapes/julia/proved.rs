@@ -203,13 +203,12 @@ fn without_rim(mut rows: Vec<u64>, edge: usize, beyond: u64) -> Vec<u64> {
         let (last, first) = (beyond << (edge - 1), beyond & 1);
         *row &= (*row >> 1 | last) & (*row << 1 | first);
     }
-    for (step, along) in
-        [(1, |at, edge| at % edge), (edge, |at, edge| at / edge)] as [(usize, fn(usize, usize) -> usize); 2]
-    {
+    for step in [1, edge] {
         let before = rows.clone();
         for (at, row) in rows.iter_mut().enumerate() {
-            let lower = if along(at, edge) > 0 { before[at - step] } else { beyond };
-            let upper = if along(at, edge) < edge - 1 { before[at + step] } else { beyond };
+            let along = at / step % edge;
+            let lower = if along > 0 { before[at - step] } else { beyond };
+            let upper = if along < edge - 1 { before[at + step] } else { beyond };
             *row &= lower & upper;
         }
     }
