@@ -30,6 +30,12 @@ pub fn fraction(v: f64) -> f64 {
     v - floor(v)
 }
 
+/// A number without its fraction.
+#[inline]
+pub fn trunc(v: f64) -> f64 {
+    floor(v.abs()).copysign(v)
+}
+
 /// Each coordinate's [`floor`].
 #[inline]
 pub fn floors(p: Vec3) -> Vec3 {
@@ -39,7 +45,14 @@ pub fn floors(p: Vec3) -> Vec3 {
 /// `v % period`, to the bit. What is less than the period is left as it is without a call.
 #[inline]
 pub fn rest(v: f64, period: f64) -> f64 {
-    if v.abs() < period { v } else { v % period }
+    if v.abs() < period { v } else { long_rest(v, period) }
+}
+
+/// Not inlined: the compiler would divide in any case, and choose afterwards.
+#[cold]
+#[inline(never)]
+fn long_rest(v: f64, period: f64) -> f64 {
+    v % period
 }
 
 /// `v.rem_euclid(period)`, to the bit, in the same way.
@@ -105,6 +118,7 @@ mod tests {
         let edges = [f64::INFINITY, -1e300, REACH, 1.0 - REACH, -1e-300, 0.99999999999999989, -0.0];
         for v in near.chain(halves).chain(edges) {
             assert_eq!(floor(v), v.floor(), "{v}");
+            assert_eq!(trunc(v).to_bits(), v.trunc().to_bits(), "{v}");
             let (left, exact) = (remainder(v, 1.00001), v % 1.00001);
             assert!((left - exact).abs() < 1e-12 || left.is_nan() && exact.is_nan(), "{v}");
         }

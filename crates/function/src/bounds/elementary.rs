@@ -2,6 +2,8 @@
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
+use raggio_math::turns::{floor, trunc};
+
 use super::{Bounds, Range, VARIABLES};
 use crate::{BinaryOp, Builtin};
 
@@ -110,7 +112,7 @@ impl Bounds {
 
     /// An angle that is known but for whole turns, times a whole number.
     fn turned(&self, k: f64) -> Bounds {
-        if self.turns == 0.0 || self.value.is_all() || k != k.trunc() || k == 0.0 {
+        if self.turns == 0.0 || self.value.is_all() || k != trunc(k) || k == 0.0 {
             return Bounds::UNKNOWN;
         }
         let through = self.through(self.value * k, Range::one(k));
@@ -179,7 +181,7 @@ impl Bounds {
     }
 
     pub(crate) fn sin(self) -> Bounds {
-        if self.value.is_all() || self.turns != self.turns.trunc() {
+        if self.value.is_all() || self.turns != trunc(self.turns) {
             return Bounds::UNKNOWN;
         }
         self.through(self.value.sin(), self.value.cos())
@@ -255,7 +257,7 @@ impl Bounds {
     }
 
     fn tan(self) -> Bounds {
-        let half_turns = |v: f64| ((v + FRAC_PI_2) / PI).floor();
+        let half_turns = |v: f64| floor((v + FRAC_PI_2) / PI);
         if self.is_vague() || half_turns(self.value.lo) != half_turns(self.value.hi) {
             return Bounds::UNKNOWN;
         }
@@ -331,7 +333,7 @@ impl Bounds {
 
     /// The remainder of a division by a whole turn, never negative.
     pub(crate) fn rem_euclid(self, by: f64) -> Bounds {
-        if by == TAU && self.turns == self.turns.trunc() && self.turns != 0.0 && !self.value.is_all() {
+        if by == TAU && self.turns == trunc(self.turns) && self.turns != 0.0 && !self.value.is_all() {
             return Bounds { turns: 0.0, ..self }.rem_euclid(by);
         }
         if self.is_vague() || by.is_nan() || by <= 0.0 {

@@ -3,6 +3,7 @@
 //! Within a lattice cell the noise is a weighted mean of eight linear functions, so its slope along an axis is a mean of
 //! four simple ones over the other two axes; each has a range, and a mean lies between the least and the greatest mean.
 use raggio_math::noise::corners;
+use raggio_math::turns::floor;
 
 use super::range::{greater, lesser};
 use super::{Range, VARIABLES};
@@ -41,8 +42,8 @@ struct Cells {
 impl Cells {
     /// `None` if they are far too many, or so far out that there is no telling them apart.
     fn along(r: Range) -> Option<Cells> {
-        let first = r.lo.floor();
-        let more = r.hi.floor() - first;
+        let first = floor(r.lo);
+        let more = floor(r.hi) - first;
         // Not-a-number fails too.
         (more < f64::from(MOST_CELLS) && first.abs() < 1e15).then(|| Cells { first, count: more as u32 + 1 })
     }

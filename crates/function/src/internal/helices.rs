@@ -1,6 +1,8 @@
 //! Coils: helices, spirals, bundles of tubes.
 use std::f64::consts::{PI, TAU};
 
+use raggio_math::turns::remainder;
+
 use super::{Args, length, turned};
 
 /// The size of the point (x, y) measured by the cross section of a coil: 1 is round, 0 square, between and beyond
@@ -15,10 +17,16 @@ fn section(x: f64, y: f64, shape: f64) -> f64 {
     }
 }
 
+/// The angle from 0 to a whole turn that points the same way.
+fn one_turn(angle: f64) -> f64 {
+    let rest = remainder(angle, TAU);
+    if rest < 0.0 { rest + TAU } else { rest }
+}
+
 pub(super) fn helix1(a: &Args) -> f64 {
     let [_, count, period, minor, major, shape, cross, degrees, ..] = a.p;
     let q = length(a.x, a.z);
-    let turn = (count * a.z.atan2(a.x) + a.y * count * period).rem_euclid(TAU);
+    let turn = one_turn(count * a.z.atan2(a.x) + a.y * count * period);
     let along = (turn - PI) / shape / (count * period);
     let across = q - major;
     let (u, v) = if cross == 1.0 { (across, along) } else { turned(across, along, degrees.to_radians()) };
@@ -39,7 +47,7 @@ pub(super) fn helical_torus(a: &Args) -> f64 {
     let azimuth = x.atan2(a.z);
     let wind = (q - p1).atan2(a.y);
     let rho = length(q - p1, a.y);
-    let turn = (azimuth * p2 + wind * p3).rem_euclid(TAU) - PI;
+    let turn = one_turn(azimuth * p2 + wind * p3) - PI;
     let groove = (p8 * (turn * p9).atan2(rho - p6) + azimuth * p10).cos() * p4 + p5;
     let body = p5 + p6 - p1 - q;
     let coil = groove - ((rho - p6) * (rho - p6) + turn * turn * p7).sqrt().min(rho + p6);

@@ -48,6 +48,9 @@ impl Dome {
         for p in self.pigments(dir) {
             rgb += p.rgb * p.opacity() * filter * self.emission;
             filter *= p.transmission();
+            if filter == Rgb::ZERO {
+                break;
+            }
         }
         if !alpha {
             let ground = self.background.map_or(Rgb::ZERO, |b| b.rgb * (1.0 - b.transmit));

@@ -86,9 +86,12 @@ impl Tracer<'_> {
             Some(&color) if !self.quality.quick_color() => Look { color, found: true, n: point.n },
             _ => self.look_alone(point, texture, layer),
         };
+        let rgb = self.shine(point, &layer.finish, &look, Rgb::ONE, &mut Shared::default());
+        if self.is_last() {
+            return Seen::opaque(rgb);
+        }
         let mut below = Below::UNTOUCHED;
         let mirror = self.mirror(point, layer, look.n, look.color.rgb, 1.0);
-        let rgb = self.shine(point, &layer.finish, &look, Rgb::ONE, &mut Shared::default());
         below.cover(&look, &layer.finish, mirror.as_ref());
         if below.through <= self.bailout && mirror.is_none() {
             return Seen::opaque(rgb);
@@ -174,7 +177,7 @@ impl Tracer<'_> {
             own += finish.ambient * self.world.rules.ambient_light;
         }
         let tint = color.rgb * opacity;
-        if self.radiosity.is_some() {
+        if self.radiosity.as_ref().is_some_and(|state| state.gathers()) {
             own += self.light_around(point, finish, *n, grey(filter * tint), &mut shared.around);
         }
         let lit = match &self.radiosity {
@@ -268,6 +271,9 @@ impl Tracer<'_> {
         top: &Top<'_>,
         mirrors: &[Mirror],
     ) -> Seen {
+        if self.is_last() {
+            return Seen::opaque(light);
+        }
         let (mut rgb, mut transmit) = (light, 0.0);
         let mut total = false;
         if below.through > self.bailout && self.quality.refraction() {

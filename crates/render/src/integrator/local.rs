@@ -78,6 +78,11 @@ impl Tracer<'_> {
         let path = source.path(p);
         let cosine = lit.n.dot(path.ray.dir);
         let Some(back) = facing(point, lit, cosine) else { return Vec3A::ZERO };
+        // Most of what is only shiny sends nothing back, whatever stands in the way of the light.
+        let shiny = lit.highlights && !source.shadowless && !back;
+        if lit.is_dull(back) && !(shiny && highlight(lit, &path.ray.dir) != 0.0) {
+            return Vec3A::ZERO;
+        }
         let light = self.arriving_once(point, i, |tracer| {
             let bare = source.arriving(&path, source.position);
             tracer.after_shadows(source, &path, bare, &point.start())
@@ -223,6 +228,13 @@ impl<'a> Lit<'a> {
         let shines = finish.phong > 0.0 || finish.specular > 0.0;
         let highlights = shines && point.beam.class != RayClass::Radiosity;
         Lit { finish, n, rgb, opacity, view: &point.beam.ray.dir, highlights }
+    }
+
+    /// Is nothing sent back of light but highlights?
+    #[inline]
+    fn is_dull(&self, back: bool) -> bool {
+        let diffuse = if back { self.finish.diffuse_back } else { self.finish.diffuse };
+        diffuse <= 0.0 || ((self.opacity == 0.0 || *self.rgb == Rgb::ZERO) && self.finish.crand == 0.0)
     }
 }
 

@@ -172,12 +172,18 @@ impl<'w> Tracer<'w> {
 
     /// What a ray sees. `continued` rays go straight on through a surface and use up no level.
     pub fn trace(&mut self, beam: &Beam<'_>, continued: bool) -> Seen {
-        if self.level >= self.max_level || beam.weight < self.bailout || self.stack_is_spent() {
+        if self.is_last() || beam.weight < self.bailout || self.stack_is_spent() {
             return Seen::BLACK;
         }
         let mut hit = Hit::NONE;
         let found = self.world.geometry.closest_into(beam.ray, (MIN_HIT, beam.reach), beam.class, &mut hit);
         self.follow(beam, found.then_some(&hit), continued)
+    }
+
+    /// Is the ray in work the last of its row, so that none that it would give rise to is traced?
+    #[inline]
+    pub(crate) fn is_last(&self) -> bool {
+        self.level >= self.max_level
     }
 
     /// What a ray sees whose nearest hit is known.

@@ -75,7 +75,7 @@ impl Tracer<'_> {
 
     /// The light that comes by way of a mirror.
     pub(super) fn mirrored(&mut self, point: &SurfacePoint<'_>, mirror: &Mirror) -> Rgb {
-        if mirror.reflectivity == Rgb::ZERO || !self.quality.reflection() {
+        if mirror.reflectivity == Rgb::ZERO || mirror.weight < self.bailout || !self.quality.reflection() {
             return Rgb::ZERO;
         }
         let ray = reflected_ray(point, mirror.n);

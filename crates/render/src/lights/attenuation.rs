@@ -1,5 +1,6 @@
 //! How light thins out: cones, cylinders and distance (light spec, section 5.2).
 use raggio_image::Rgb;
+use raggio_math::turns::fraction;
 use raggio_math::{EPS, Ray, Vec3};
 use raggio_scene::{self as scene, LightKind};
 
@@ -67,7 +68,7 @@ fn smooth(lo: f64, hi: f64, v: f64) -> f64 {
 
 fn power(base: f64, exponent: f64) -> f64 {
     // Most are small whole numbers.
-    if (0.0..64.0).contains(&exponent) && exponent.fract() == 0.0 {
+    if (0.0..64.0).contains(&exponent) && fraction(exponent) == 0.0 {
         base.powi(exponent as i32)
     } else {
         base.powf(exponent)

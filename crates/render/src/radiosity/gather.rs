@@ -104,12 +104,14 @@ impl Tracer<'_> {
     /// The directions of a gather's rays over a surface.
     fn directions(&mut self, n: Vec3, raw: Vec3, depth: u32, count: u32) -> Vec<Vec3> {
         let mut directions = Vec::with_capacity(count as usize);
+        let (wanted, given) = (Turn::about(n), Turn::about(raw));
         let mut draws = 0;
         while directions.len() < count as usize {
-            let around = if draws < 5 * count { n } else { raw };
+            let bent = draws < 5 * count && n != raw;
             draws += 1;
-            let dir = turned(self.next_direction(depth), around);
-            if n == raw || around != n || dir.dot(raw) > 0.0 {
+            let turn = if bent { &wanted } else { &given };
+            let dir = turn.apply(self.next_direction(depth));
+            if !bent || dir.dot(raw) > 0.0 {
                 directions.push(dir);
             }
         }
@@ -217,15 +219,33 @@ impl State<'_> {
     }
 }
 
-/// Turns a direction about the y axis to one about `n`.
-fn turned(v: Vec3, n: Vec3) -> Vec3 {
-    if n.y.abs() > 0.999 {
-        return if n.y > 0.0 { v } else { -v };
+/// From directions about the y axis to those about another one.
+enum Turn {
+    Same,
+    Opposite,
+    /// Where the three axes come to lie.
+    Axes([Vec3; 3]),
+}
+
+impl Turn {
+    fn about(n: Vec3) -> Turn {
+        if n.y.abs() > 0.999 {
+            return if n.y > 0.0 { Turn::Same } else { Turn::Opposite };
+        }
+        let helper = if n.z.abs() > 0.9 { Vec3::Y } else { Vec3::Z };
+        let x = n.cross(helper).try_normalize().unwrap_or(Vec3::X);
+        let z = x.cross(n).try_normalize().unwrap_or(Vec3::Z);
+        Turn::Axes([x, n, z])
     }
-    let helper = if n.z.abs() > 0.9 { Vec3::Y } else { Vec3::Z };
-    let x = n.cross(helper).try_normalize().unwrap_or(Vec3::X);
-    let z = x.cross(n).try_normalize().unwrap_or(Vec3::Z);
-    x * v.x + n * v.y + z * v.z
+
+    #[inline]
+    fn apply(&self, v: Vec3) -> Vec3 {
+        match *self {
+            Turn::Same => v,
+            Turn::Opposite => -v,
+            Turn::Axes([x, n, z]) => x * v.x + n * v.y + z * v.z,
+        }
+    }
 }
 
 #[cfg(test)]
@@ -235,7 +255,7 @@ mod tests {
     #[test]
     fn directions_are_unit_vectors_over_the_surface() {
         for n in [Vec3::Y, -Vec3::Y, Vec3::new(0.1, 0.2, -0.97).normalize(), Vec3::X] {
-            let v = turned(Vec3::new(0.6, 0.8, 0.0), n);
+            let v = Turn::about(n).apply(Vec3::new(0.6, 0.8, 0.0));
             assert!((v.length() - 1.0).abs() < 1e-12 && v.dot(n) > 0.79, "{n}");
         }
     }

@@ -112,6 +112,12 @@ impl<'w> State<'w> {
         State { turns: Some(turns), ..self }
     }
 
+    /// Is diffuse light to be had for the present ray?
+    #[inline]
+    pub fn gathers(&self) -> bool {
+        self.depth < self.rules.limit()
+    }
+
     /// Surfaces that the camera sees need no lights before the final picture.
     pub fn skips_lights(&self) -> bool {
         self.pretrace && self.depth == 0
@@ -122,7 +128,7 @@ impl Tracer<'_> {
     /// The diffuse light from all around at a point, for a layer that counts as much as `weight`; `None` where it is
     /// not to be had any more.
     pub(crate) fn irradiance(&mut self, point: &SurfacePoint<'_>, n: Vec3, weight: f32) -> Option<Rgb> {
-        let state = self.radiosity.as_ref().filter(|s| s.depth < s.rules.limit())?;
+        let state = self.radiosity.as_ref().filter(|s| s.gathers())?;
         let (rules, depth, settings) = (state.rules, state.depth, &state.rules.settings);
         let mut error = settings.error_bound;
         if state.pretrace {

@@ -16,11 +16,11 @@ pub(super) trait Mix {
 pub(super) fn mix_at<M: Mix>(map: &ImageMap, place: Place, samples: &M) -> M::Mixture {
     let grid = Grid { mosaic: &map.source.mosaic, once: map.once };
     if map.interpolation == Interpolation::None {
-        return samples.mix(grid.at::<1, 1>(place.x.trunc() as i64, place.y.trunc() as i64), [1.0]);
+        return samples.mix(grid.at::<1, 1>(place.x as i64, place.y as i64), [1.0]);
     }
     let (x, y) = (place.x + 0.5, place.y + 0.5);
-    let (i, j) = (x.trunc() as i64, y.trunc() as i64);
-    let (p, q) = (x - x.trunc(), y - y.trunc());
+    let (i, j) = (x as i64, y as i64);
+    let (p, q) = (x - i as f64, y - j as f64);
     match map.interpolation {
         Interpolation::Bicubic => samples.mix(grid.at::<4, 16>(i - 2, j - 2), products(cubic(p), cubic(q))),
         Interpolation::NormalizedDistance => samples.mix(grid.at::<2, 4>(i - 1, j - 1), by_distance(p, q)),

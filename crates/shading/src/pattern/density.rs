@@ -25,7 +25,7 @@ fn sample(file: &DensityFile, [x, y, z]: [usize; 3]) -> f32 {
 fn trilinear(file: &DensityFile, position: Vec3) -> f64 {
     let low = position.to_array().map(|c| c as usize);
     let high: [usize; 3] = std::array::from_fn(|k| (low[k] + 1) % file.size[k]);
-    let f = position - position.trunc();
+    let f = position - Vec3::from(low.map(|c| c as f64));
     let mix = |a: f64, b: f64, t: f64| a + t * (b - a);
     let at = |x, y, z| f64::from(sample(file, [x, y, z]));
     let along_x = |y, z| mix(at(low[0], y, z), at(high[0], y, z), f.x);
@@ -36,7 +36,7 @@ fn trilinear(file: &DensityFile, position: Vec3) -> f64 {
 fn tricubic(file: &DensityFile, position: Vec3) -> f64 {
     let low = position.to_array().map(|c| c as usize);
     let taps: [[usize; 4]; 3] = std::array::from_fn(|k| neighbours(low[k], file.size[k]));
-    let f = (position - position.trunc()).to_array().map(|f| f as f32);
+    let f = (position - Vec3::from(low.map(|c| c as f64))).to_array().map(|f| f as f32);
     let along_z = |x, y| catmull_rom(taps[2].map(|z| sample(file, [x, y, z])), f[2]);
     let along_y = |x| catmull_rom(taps[1].map(|y| along_z(x, y)), f[1]);
     f64::from(catmull_rom(taps[0].map(along_y), f[0]).max(0.0))

@@ -1,7 +1,7 @@
 //! Patterns of plain geometry: distances, angles, quilts.
 use std::f64::consts::{PI, TAU};
 
-use raggio_math::turns::{remainder, sin};
+use raggio_math::turns::{remainder, sin, trunc};
 use raggio_math::{Vec2, Vec3};
 
 /// 1 at the middle, falling to 0 at distance 1 and staying there.
@@ -29,7 +29,7 @@ pub(super) fn radial(p: Vec3) -> f64 {
 /// Where a point lies in its quilt cell, and how strongly the quilt bulges there.
 pub(crate) fn quilt_strength(p: Vec3, controls: Vec2) -> (Vec3, f64) {
     // At whole negative numbers the lower cell counts.
-    let cell = |c: f64| if c >= 0.0 { c.trunc() } else { c.trunc() - 1.0 };
+    let cell = |c: f64| if c >= 0.0 { trunc(c) } else { trunc(c) - 1.0 };
     let q = p - Vec3::new(cell(p.x), cell(p.y), cell(p.z)) - Vec3::splat(0.5);
     let l = q.length();
     let r = 1.0 - l;
