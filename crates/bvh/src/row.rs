@@ -63,6 +63,13 @@ impl BoxRow {
         }
     }
 
+    /// Takes a box out.
+    pub fn take_out(&mut self, place: usize) {
+        for (bounds, none) in self.node.bounds.iter_mut().zip(&Node::EMPTY.bounds) {
+            bounds[place] = none[place];
+        }
+    }
+
     /// Takes all boxes out.
     pub fn clear(&mut self) {
         self.node = Node::EMPTY;

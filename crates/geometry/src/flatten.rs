@@ -5,6 +5,7 @@ use raggio_math::{Aabb, Affine};
 use raggio_scene::{Csg, Light, Object, ObjectKind, Placed, Shape};
 use rustc_hash::FxHashMap;
 
+use crate::borders::Borders;
 use crate::convex::Convex;
 use crate::index::{Decider, indices, padded};
 use crate::inherit::{Context, OUTERMOST_ONLY, all_shadowless, effective};
@@ -22,6 +23,8 @@ pub(crate) struct Flat {
     pub(crate) groups: Vec<Group>,
     /// The outermost union.
     pub(crate) world: Group,
+    /// What of it are planes.
+    pub(crate) borders: Borders,
     /// All of it, if it is a few simple leaves.
     pub(crate) few: Vec<Member>,
     /// Members of it whose inside reaches beyond their boxes, and these.
@@ -84,13 +87,14 @@ pub(crate) fn flatten(objects: &[Arc<Object>], keep_all_bounds: bool) -> Result<
     let mut world = group(Op::Union, &members, &walk.leaves, Vec::new(), Vec::new());
     // Among top-level objects, what POV-Ray shows depends on how its tree of boxes came out.
     world.ranked = false;
+    let borders = Borders::of(&world, &walk.leaves);
     let few = few(&members, &walk.leaves);
     let Walk { leaves, groups, materials, lights, parts, .. } = walk;
-    Ok(Flat { leaves, groups, world, few, overreaching, bounds, materials, lights, parts })
+    Ok(Flat { leaves, groups, world, borders, few, overreaching, bounds, materials, lights, parts })
 }
 
-/// The members of a world of so few and so simple leaves that boxes are not worth asking, those without bounds first;
-/// nothing for other worlds.
+/// The members of a world of so few and so simple leaves that boxes are not worth asking, planes first, then others
+/// without bounds; nothing for other worlds.
 fn few(members: &[Built], leaves: &Leaves) -> Vec<Member> {
     const MOST: usize = 3;
     const MOST_COST: u32 = 2;
@@ -99,7 +103,7 @@ fn few(members: &[Built], leaves: &Leaves) -> Vec<Member> {
         return Vec::new();
     }
     let mut order: Vec<&Built> = members.iter().collect();
-    order.sort_by_key(|m| m.surface.is_finite());
+    order.sort_by_key(|m| (!leaves.is_plane(m.member.node), m.surface.is_finite()));
     order.into_iter().map(|m| m.member).collect()
 }
 

@@ -92,6 +92,22 @@ pub(crate) fn indices(
 }
 
 impl Index {
+    /// The same without some members, which are sorted.
+    pub(crate) fn without(&self, members: &[u32]) -> Index {
+        match self {
+            Index::Few(row) => {
+                let mut row = row.clone();
+                members.iter().for_each(|&member| row.take_out(member as usize));
+                Index::Few(row)
+            }
+            Index::Many { bvh, listed } => {
+                let listed =
+                    listed.iter().copied().filter(|member| members.binary_search(member).is_err()).collect();
+                Index::Many { bvh: bvh.clone(), listed }
+            }
+        }
+    }
+
     /// Visits members on the ray, near ones first as far as boxes tell; see [`Bvh::closest`]. The visitor is told the
     /// member, the distance beyond which nothing interests any more, and between where its box lies on the ray.
     #[inline]

@@ -4,6 +4,7 @@
 //! once, for the winner. Deliberately absent: colours, lights' effects, cameras.
 
 mod body;
+mod borders;
 mod convex;
 mod extent;
 mod flatten;

@@ -183,22 +183,33 @@ impl Tree {
         }
         let mut best = Hit::NONE;
         let found = match group.all_count() {
-            true => self.closest_of_all(group, probe, range, class, scratch, stops, &mut best),
-            false => {
-                self.closest_member(group, probe, range, class, stops, &mut best, |index, range, out| {
-                    put(self.closest_that_counts(group, index, probe, range, class, scratch), out)
-                })
+            true => {
+                let members = &group.surfaces;
+                self.closest_of_all(group, members, probe, range, class, scratch, stops, &mut best)
             }
+            false => self.closest_member(
+                group,
+                &group.surfaces,
+                probe,
+                range,
+                class,
+                stops,
+                &mut best,
+                |index, range, out| {
+                    put(self.closest_that_counts(group, index, probe, range, class, scratch), out)
+                },
+            ),
         };
         found.then_some(best)
     }
 
-    /// Puts the nearest hit of the members of a group in which all hits count, its bounds not asked, where it is
+    /// Puts the nearest hit of some members of a group in which all hits count, its bounds not asked, where it is
     /// wanted, and says whether there is one.
     #[inline]
     pub(crate) fn closest_of_all<F: Fn(&Hit) -> bool>(
         &self,
         group: &Group,
+        members: &Index,
         probe: &Probe,
         range: (f64, f64),
         class: u8,
@@ -206,23 +217,26 @@ impl Tree {
         stops: &F,
         best: &mut Hit,
     ) -> bool {
-        self.closest_member(group, probe, range, class, stops, best, |index, range, out| {
-            match group.members[index as usize].node.node() {
-                Node::Leaf(leaf) => self.leaves.closest_apart(leaf, probe.ray, range, stops, out),
-                Node::Group(group) => {
-                    let group = &self.groups[group as usize];
-                    put(self.group_closest(group, probe, range, class, scratch, stops), out)
-                }
+        self.closest_member(group, members, probe, range, class, stops, best, |index, range, out| match group
+            .members[index as usize]
+            .node
+            .node()
+        {
+            Node::Leaf(leaf) => self.leaves.closest_apart(leaf, probe.ray, range, stops, out),
+            Node::Group(group) => {
+                let group = &self.groups[group as usize];
+                put(self.group_closest(group, probe, range, class, scratch, stops), out)
             }
         })
     }
 
-    /// Puts the nearest of the hits that `ask` finds of the members of a group, or any that `stops` says yes to, into
+    /// Puts the nearest of the hits that `ask` finds of some members of a group, or any that `stops` says yes to, into
     /// `best`, and says whether there is one. So does `ask` with the hit of a member.
     #[inline(always)]
     fn closest_member(
         &self,
         group: &Group,
+        members: &Index,
         probe: &Probe,
         range: (f64, f64),
         class: u8,
@@ -231,7 +245,7 @@ impl Tree {
         mut ask: impl FnMut(u32, (f64, f64), &mut Hit) -> bool,
     ) -> bool {
         let mut found = false;
-        group.surfaces.closest(probe, range, |index, far, within| {
+        members.closest(probe, range, |index, far, within| {
             let member = &group.members[index as usize];
             if member.skip & class != 0 {
                 return None;

@@ -5,6 +5,7 @@ use raggio_math::{Aabb, Affine, MAX_DISTANCE, MIN_HIT, Ray, Vec2, Vec3};
 use raggio_scene::{Interior, Light, Object, PhotonFlags, Placed, Scene, Texture};
 use smallvec::SmallVec;
 
+use crate::borders::Borders;
 use crate::flatten::{Flat, flatten};
 use crate::probe::Probe;
 use crate::shaft::Shaft;
@@ -206,6 +207,8 @@ pub struct Geometry {
     pub(crate) tree: Tree,
     /// The outermost union.
     pub(crate) world: Group,
+    /// What of it are planes.
+    borders: Borders,
     /// All of the world, if it is a few simple leaves: asked without their boxes.
     pub(crate) few: Vec<Member>,
     /// Top-level members that contain points outside their boxes, sorted, with these.
@@ -233,7 +236,8 @@ impl Geometry {
     }
 
     fn new(flat: Flat) -> Self {
-        let Flat { leaves, groups, world, few, overreaching, bounds, materials, lights, parts } = flat;
+        let Flat { leaves, groups, world, borders, few, overreaching, bounds, materials, lights, parts } =
+            flat;
         Geometry {
             materials: materials.materials,
             textures: materials.textures,
@@ -242,6 +246,7 @@ impl Geometry {
             asks_uv: true,
             tree: Tree { leaves, groups },
             world,
+            borders,
             few,
             overreaching,
             bounds,
@@ -262,14 +267,18 @@ impl Geometry {
         if !self.few.is_empty() {
             return self.closest_of_few(ray, range, class, best);
         }
+        let found = self.borders.closest(ray, range, class.bit(), best);
+        let range = (range.0, if found { best.t } else { range.1 });
         let (probe, scratch) = (Probe::new(ray), &mut Scratch::default());
-        self.tree.closest_of_all(&self.world, &probe, range, class.bit(), scratch, &|_| false, best)
+        let (world, others) = (&self.world, &self.borders.others);
+        found | self.tree.closest_of_all(world, others, &probe, range, class.bit(), scratch, &|_| false, best)
     }
 
     /// [`Geometry::closest_into`] in a world of a few leaves.
     fn closest_of_few(&self, ray: &Ray, range: (f64, f64), class: RayClass, best: &mut Hit) -> bool {
-        let mut found = false;
-        for member in self.few.iter().filter(|member| member.skip & class.bit() == 0) {
+        let mut found = self.borders.closest(ray, range, class.bit(), best);
+        let others = &self.few[self.borders.len()..];
+        for member in others.iter().filter(|member| member.skip & class.bit() == 0) {
             let Node::Leaf(leaf) = member.node.node() else { continue };
             let far = if found { best.t } else { range.1 };
             found |= self.tree.leaves.closest_apart(leaf, ray, (range.0, far), &|_| false, best);
