@@ -36,6 +36,9 @@ pub struct Tree {
 pub trait Visitor {
     /// Squared distances from here on are too far.
     fn limit(&self) -> f32;
+    /// Makes the squared distances of boxes greater that lie from `low` to `high`, where the way to all that they hold is
+    /// farther for the visitor. To be `#[inline(always)]`.
+    fn stretch(&self, low: &[Lanes; 3], high: &[Lanes; 3], squares: &mut Lanes);
     /// Looks at a block. To be `#[inline(always)]`.
     fn visit(&mut self, block: usize);
 }
@@ -97,18 +100,19 @@ impl Boxes {
 
     /// Which of them are near.
     #[inline(always)]
-    fn near(&self, place: &Place, limit: f32) -> u8 {
+    fn near(&self, place: &Place, visitor: &impl Visitor) -> u8 {
+        let (low, high) = (place.to(&self.low), place.to(&self.high));
         let mut squares = [0.0; WIDTH];
         for axis in 0..3 {
-            let (below, above) = (place.ways(axis, &self.low[axis]), place.ways(axis, &self.high[axis]));
             for (i, square) in squares.iter_mut().enumerate() {
-                let away = if below[i] > -above[i] { below[i] } else { -above[i] };
+                let away = if low[axis][i] > -high[axis][i] { low[axis][i] } else { -high[axis][i] };
                 // What is not there stays what it is, so that it is near nothing.
                 let away = if away < 0.0 { 0.0 } else { away };
                 *square += away * away;
             }
         }
-        below(&squares, &[limit; WIDTH])
+        visitor.stretch(&low, &high, &mut squares);
+        below(&squares, &[visitor.limit(); WIDTH])
     }
 }
 
@@ -134,7 +138,7 @@ impl Tree {
         // What is left to do: at each level the number of the boxes, and which of them.
         let mut open = [(0, 0); MOST_LEVELS];
         let mut level = top;
-        open[level] = (0, self.levels[level][0].near(place, visitor.limit()));
+        open[level] = (0, self.levels[level][0].near(place, visitor));
         loop {
             let (number, near) = &mut open[level];
             if *near == 0 {
@@ -150,7 +154,7 @@ impl Tree {
                 visitor.visit(child);
             } else {
                 level -= 1;
-                open[level] = (child, self.levels[level][child].near(place, visitor.limit()));
+                open[level] = (child, self.levels[level][child].near(place, visitor));
             }
         }
     }

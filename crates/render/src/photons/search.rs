@@ -7,7 +7,10 @@ use std::hint::black_box;
 
 use raggio_math::{Vec3, Wide, wide};
 
-use crate::packed::{Lanes, Place, Tree, Visitor, WIDTH, around, each};
+use crate::packed::{Lanes, Place, Tree, Visitor, WIDTH, around, below, each};
+
+/// On surfaces, squared distances grow by so much for each unit of the way from the tangent plane.
+const FLATTENING: f32 = 16.0;
 
 /// Up to eight photons that follow each other in the map.
 #[derive(Clone, Default)]
@@ -84,6 +87,8 @@ struct Look<'a> {
     place: &'a Place,
     /// Flattens the search on surfaces.
     normal: Option<[f32; 3]>,
+    /// For rounding.
+    slack: f32,
     nearest: &'a mut Nearest,
 }
 
@@ -103,12 +108,34 @@ impl Visitor for Look<'_> {
         self.nearest.limit
     }
 
+    /// By how far the boxes are from the tangent plane at least.
+    #[inline(always)]
+    fn stretch(&self, low: &[Lanes; 3], high: &[Lanes; 3], squares: &mut Lanes) {
+        let Some(n) = self.normal else { return };
+        let (mut least, mut most) = ([0.0; WIDTH], [0.0; WIDTH]);
+        for k in 0..3 {
+            let (a, b) = (each(|i| n[k] * low[k][i]), each(|i| n[k] * high[k][i]));
+            for i in 0..WIDTH {
+                least[i] += if a[i] < b[i] { a[i] } else { b[i] };
+                most[i] += if a[i] > b[i] { a[i] } else { b[i] };
+            }
+        }
+        for (i, square) in squares.iter_mut().enumerate() {
+            let away = if least[i] > -most[i] { least[i] } else { -most[i] };
+            let away = away - self.slack;
+            *square *= 1.0 + FLATTENING * if away > 0.0 { away } else { 0.0 };
+        }
+    }
+
     /// Writes down which of a block count.
     #[inline(always)]
     fn visit(&mut self, block: usize) {
         let block = &self.index.blocks[block];
         let squares = block.squares(self.place, self.normal);
         let limit = self.nearest.limit;
+        if below(&squares, &[limit; WIDTH]) == 0 {
+            return;
+        }
         let mut near = [0; WIDTH];
         for (i, near) in near.iter_mut().enumerate() {
             *near = u32::from(squares[i] < limit);
@@ -167,7 +194,9 @@ impl Block {
         let [x, y, z] = place.to(&self.p);
         let squares = each(|i| x[i] * x[i] + y[i] * y[i] + z[i] * z[i]);
         match normal {
-            Some(n) => each(|i| squares[i] * (1.0 + 16.0 * (n[0] * x[i] + n[1] * y[i] + n[2] * z[i]).abs())),
+            Some(n) => {
+                each(|i| squares[i] * (1.0 + FLATTENING * (n[0] * x[i] + n[1] * y[i] + n[2] * z[i]).abs()))
+            }
             None => squares,
         }
     }
@@ -195,7 +224,8 @@ impl Nearest {
             self.count = 0;
             self.full = false;
             self.limit = limit;
-            wide(Look { index, p, place: &place, normal: flat, nearest: self });
+            let slack = 1e-5 * radius as f32;
+            wide(Look { index, p, place: &place, normal: flat, slack, nearest: self });
             if self.count > max {
                 self.thin_out();
             }
