@@ -3,6 +3,8 @@ use std::f64::consts::PI;
 
 use raggio_image::Rgb;
 use raggio_math::Vec3;
+use raggio_math::noise::hash3;
+use raggio_math::turns::floor;
 use raggio_scene::Finish;
 
 use super::Maps;
@@ -18,13 +20,31 @@ pub struct State<'w> {
     gather_max: usize,
     expand_increase: f64,
     expand_min: usize,
-    /// How far the photons of the last search reached, on surfaces and in media.
-    likely: [f64; 2],
+    /// How far the photons of the last searches nearby reached, on surfaces and in media.
+    likely: [Reaches; 2],
     nearest: Nearest,
     /// What the first search found, while the second looks farther.
     first: Nearest,
     /// Of the finishes that photons light.
     lobes: Lobes,
+}
+
+/// A number for each part of space; parts far from each other may share one.
+struct Reaches(Vec<f64>);
+
+impl Default for Reaches {
+    fn default() -> Self {
+        Reaches(vec![f64::INFINITY; 256])
+    }
+}
+
+impl Reaches {
+    /// That of the part around a point, which is as wide as `side`.
+    fn around(&mut self, p: Vec3, side: f64) -> &mut f64 {
+        let cell = (p / side).map(floor);
+        let place = hash3(cell.x as i64, cell.y as i64, cell.z as i64) % self.0.len();
+        &mut self.0[place]
+    }
 }
 
 impl<'w> State<'w> {
@@ -37,7 +57,7 @@ impl<'w> State<'w> {
             gather_max: settings.gather_max as usize,
             expand_increase: settings.expand_increase.into(),
             expand_min: settings.expand_min as usize,
-            likely: [f64::INFINITY; 2],
+            likely: Default::default(),
             nearest: Nearest::default(),
             first: Nearest::default(),
             lobes: Lobes::default(),
@@ -64,7 +84,7 @@ impl<'w> State<'w> {
     /// Finds the photons around a point, of a surface if it has a normal; gives the radius that they fill.
     fn gather(&mut self, map: &PhotonMap, p: Vec3, n: Option<Vec3>) -> f64 {
         let (asked, place) = (map.radius, (p, n));
-        let likely = &mut self.likely[usize::from(n.is_none())];
+        let likely = self.likely[usize::from(n.is_none())].around(p, asked);
         map.search(place, asked, self.gather_max, likely, &mut self.nearest);
         let first = self.nearest.radius(asked);
         let count = self.nearest.len();
