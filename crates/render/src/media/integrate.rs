@@ -6,7 +6,7 @@ use raggio_shading::Context;
 use smallvec::SmallVec;
 
 use super::lit::{LitRanges, Range};
-use super::phase::phase;
+use super::phase::{is_isotropic, phase};
 use super::reach::Reach;
 use super::{Joined, Medium, exp};
 use crate::integrator::Tracer;
@@ -309,8 +309,10 @@ impl Tracer<'_> {
             return Sample { glow, dim };
         }
         if let Some(photons) = &mut self.photons {
+            let isotropic = along.media.iter().all(|m| m.scattering.as_ref().is_none_or(is_isotropic));
             let phase = |toward: Vec3| mean_phase(&along.media, toward.dot(along.ray.dir));
-            glow += scattered * photons.in_media(p, phase);
+            glow +=
+                scattered * if isotropic { photons.in_media(p, |_| 1.0) } else { photons.in_media(p, phase) };
         }
         if !lit {
             return Sample { glow, dim };

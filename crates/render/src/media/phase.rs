@@ -18,6 +18,11 @@ pub fn phase(scattering: &Scattering, cosine: f64) -> f64 {
     }
 }
 
+/// Is that the same for all directions?
+pub fn is_isotropic(scattering: &Scattering) -> bool {
+    !(2..=5).contains(&scattering.kind)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
