@@ -14,12 +14,13 @@ use raggio_math::{Aabb, Vec3};
 use super::super::container;
 use super::search::TELLING;
 
-/// Boxes are cut in two this many times at most before they are searched.
+/// Boxes are cut in two this many times at most.
 const MOST_CUTS: u8 = 16;
-/// Boxes that keep being searched are cut further, up to this many times.
+/// Where a search can do without smaller boxes they are cut only if they keep being searched, up to this many times.
 pub(super) const MOST_LATE_CUTS: u8 = 20;
-/// After how many searches.
-const SEARCHES: u32 = 12;
+/// After how many searches, and for the cuts beyond the usual ones.
+const SEARCHES: u32 = 4;
+const LATE_SEARCHES: u32 = 12;
 /// Where slopes seem steeper than so many times the scene's maximal gradient their bounds are too wide to tell anything
 /// soon, and boxes are cut this many times at most.
 const TOO_STEEP: f64 = 1.5;
@@ -131,9 +132,9 @@ impl Model {
 impl Kind {
     /// From here it is cut across an axis, which the last two bits tell.
     const CUT: Kind = Kind(0);
-    /// From here the surface may be in it; it is cut once it has often been searched.
+    /// From here the surface may be in it; it is not cut, but will be once it has often been searched.
     pub(super) const LATE: Kind = Kind(4);
-    /// It is not cut, and the surface may be in it.
+    /// The surface may be in it; it is not cut.
     pub(super) const OPEN: Kind = Kind(8);
     /// The function is above the threshold, or below it, everywhere in it.
     const ABOVE: Kind = Kind(9);
@@ -172,12 +173,6 @@ impl Cell {
     #[inline(always)]
     pub(super) fn kind(&self) -> Kind {
         Kind(self.kind.load(Ordering::Relaxed))
-    }
-
-    /// The halves of a box that is cut late, if it has been.
-    #[inline(always)]
-    pub(super) fn late_halves(&self) -> Option<&[Cell; 2]> {
-        self.halves.get()
     }
 
     /// How many boxes were made of this one, with itself.
@@ -232,16 +227,14 @@ impl Known {
 
     /// How the box is cut, if it is.
     fn cut(&self, axis: usize, depth: u8, max_gradient: f64) -> Option<Kind> {
-        if self.is_worth_cutting(depth, MOST_CUTS, max_gradient) {
-            return Some(Kind::CUT.across(axis));
-        }
         let Model { slope, spread, .. } = self.model;
-        // Only where the first point of a grid below zero is found whatever is known of smaller boxes: else what a ray
-        // meets would depend on the rays before it.
+        // The first point of a grid below zero is found whatever is known of smaller boxes, and what a ray meets does not
+        // depend on the rays before it.
         let is_certain =
             (slope.abs() + spread).length() <= max_gradient && spread.length() < TELLING * max_gradient;
-        (is_certain && self.is_worth_cutting(depth, MOST_LATE_CUTS, max_gradient))
-            .then(|| Kind::LATE.across(axis))
+        let (most_cuts, when) =
+            if is_certain { (MOST_LATE_CUTS, Kind::LATE) } else { (MOST_CUTS, Kind::CUT) };
+        self.is_worth_cutting(depth, most_cuts, max_gradient).then(|| when.across(axis))
     }
 }
 
@@ -325,12 +318,16 @@ impl Field {
     /// Takes note that the function was searched for roots in a box; cuts it if that is often done.
     #[inline]
     pub(super) fn note_search(&self, cell: &Cell) {
-        if cell.kind() < Kind::OPEN {
+        let kind = cell.kind();
+        if kind < Kind::OPEN {
             // Threads may lose each other's counts.
             let searches = cell.known.searches.load(Ordering::Relaxed) + 1;
             cell.known.searches.store(searches, Ordering::Relaxed);
-            if searches == SEARCHES {
+            if searches == if cell.depth < MOST_CUTS { SEARCHES } else { LATE_SEARCHES } {
                 self.cut(cell);
+                // Unless the halves have been joined.
+                let cut = Kind::CUT.across(kind.axis());
+                let _ = cell.kind.compare_exchange(kind.0, cut.0, Ordering::Relaxed, Ordering::Relaxed);
             }
         }
     }

@@ -277,7 +277,8 @@ impl<'a> Search<'a> {
             let reach = |per_value: f64| reach(at.t, at.value, per_value);
             guess = reach(typical);
             if at.value < 0.0 {
-                high = index.min(reach(steep));
+                // A search that begins below zero ends with its first point, whatever is known before it.
+                high = index.min(reach(steep)).max(a.index);
                 low = low.max(reach(flat)).min(high);
                 // The point before may be the one where the sign changes.
                 guess = guess.min(high - 1);

@@ -69,15 +69,8 @@ impl<'a> Walk<'a> {
         let (mut cell, mut to) = *self.waiting.get(count)?;
         // Read once for each box: other threads may join its halves at any time.
         let mut kind = cell.kind();
-        loop {
-            while kind < Kind::LATE {
-                let halves = self.field.halves(cell);
-                (cell, to) = self.step(cell, halves, kind.axis(), to, &mut count);
-                kind = cell.kind();
-            }
-            // Few have been cut late.
-            let late = if kind < Kind::OPEN { cell.late_halves() } else { None };
-            let Some(halves) = late else { break };
+        while kind < Kind::LATE {
+            let halves = self.field.halves(cell);
             (cell, to) = self.step(cell, halves, kind.axis(), to, &mut count);
             kind = cell.kind();
         }
