@@ -3,7 +3,7 @@ use rayon::prelude::*;
 
 use super::binary::{Binary, ROOT};
 use super::bins::Prim;
-use super::{BATCH, Leaves, PARTS, SMALL, Tree};
+use super::{BATCH, LARGE, Leaves, PARTS, SMALL, Tree};
 use crate::node::{Child, Node};
 
 /// What is written down later: a binary node, and the node and the place there that it belongs to.
@@ -37,10 +37,14 @@ pub(super) struct Writer<'a, L> {
 }
 
 impl<'a, L: Leaves> Writer<'a, L> {
-    /// Appends all of it to a tree: the top first, then what hangs below it in parts, by all threads. Returns the root's
-    /// word.
+    /// Appends all of it to a tree. Of a large one the top comes first, then what hangs below it in parts, by all threads.
+    /// Returns the root's word.
     pub(super) fn all(kind: &'a L, binary: &'a Binary, prims: &'a [Prim], tree: &mut Tree<L::Leaf>) -> u32 {
-        let top = Writer { kind, binary, prims, later: Later::Parts(prims.len().div_ceil(PARTS).max(SMALL)) };
+        let later = match prims.len() < LARGE {
+            true => Later::Nothing,
+            false => Later::Parts(prims.len().div_ceil(PARTS).max(SMALL)),
+        };
+        let top = Writer { kind, binary, prims, later };
         let mut waiting = Vec::new();
         let root = top.node(ROOT, tree, &mut waiting);
         // Kept from batch to batch: fresh memory would have to be cleared for each.

@@ -4,7 +4,7 @@ use std::marker::PhantomData;
 
 use rayon::prelude::*;
 
-use super::block::MOST_POINTS;
+use super::block::MOST_CORNERS;
 use super::{Block, LEAF};
 use crate::build::{self, Bounds, Cost, LARGE, Leaves, Prim, Tree};
 use crate::node::Node;
@@ -62,19 +62,14 @@ impl<B: Block> Triangles<'_, B> {
 
     /// Have these triangles no more vertices than a block has points? Quicker to tell than whether some lie in one place.
     fn few_vertices(&self, prims: &[Prim]) -> bool {
-        let mut known = [u32::MAX; MOST_POINTS];
-        let mut count = 0;
-        for vertex in prims.iter().flat_map(|prim| self.corners[prim.number() as usize]) {
-            // All are compared: that takes a few wide instructions.
-            if !known.iter().fold(false, |found, &other| found | (other == vertex)) {
-                if count == B::POINTS {
-                    return false;
-                }
-                known[count] = vertex;
-                count += 1;
-            }
-        }
-        true
+        let mut list = [u32::MAX; MOST_CORNERS];
+        let vertices = prims.iter().flat_map(|prim| self.corners[prim.number() as usize]);
+        list.iter_mut().zip(vertices).for_each(|(place, vertex)| *place = vertex);
+        // All are compared with all, without branches, which nobody could foresee.
+        let known =
+            |i: usize| (0..MOST_CORNERS).fold(false, |known, j| known | ((list[j] == list[i]) & (j < i)));
+        let count: usize = (0..3 * prims.len().min(MOST_CORNERS / 3)).map(|i| usize::from(!known(i))).sum();
+        count <= B::POINTS
     }
 
     fn corners(&self, triangle: usize) -> [V3; 3] {
