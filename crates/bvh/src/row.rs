@@ -14,6 +14,7 @@ use crate::round::{down, not_before, not_behind, up};
 pub struct BoxRow {
     pub(crate) node: Node,
     /// Has the processor the wide kernel?
+    #[cfg_attr(not(target_arch = "x86_64"), allow(dead_code))]
     simd: bool,
 }
 

@@ -6,7 +6,7 @@ use std::mem::MaybeUninit;
 use raggio_math::{Ray, Vec3};
 use smallvec::SmallVec;
 
-use crate::build::MAX_DEPTH;
+use crate::build::BOXES_DEPTH;
 #[cfg(target_arch = "x86_64")]
 use crate::kernel::Avx2;
 use crate::kernel::{Kernel, Scalar, Slab};
@@ -20,6 +20,7 @@ pub struct Bvh {
     /// Primitives in the order of the leaves.
     pub(crate) prims: Vec<u32>,
     /// Has the processor the wide kernel?
+    #[cfg_attr(not(target_arch = "x86_64"), allow(dead_code))]
     pub(crate) simd: bool,
 }
 
@@ -27,7 +28,7 @@ pub struct Bvh {
 type Entry = u64;
 
 /// No ray keeps more children waiting: seven on each level of the deepest tree that the builder makes.
-const STACK: usize = 7 * MAX_DEPTH + 8;
+const STACK: usize = 7 * BOXES_DEPTH + 8;
 
 /// Children that wait, the nearest on top. The room is borrowed: as a field beside `len` it would be zeroed for
 /// each ray.

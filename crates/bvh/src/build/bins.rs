@@ -4,12 +4,17 @@
 use raggio_math::{Aabb, Vec3};
 use rayon::prelude::*;
 
-use super::Leaves;
+/// What the heuristic has to know of what is built.
+pub(crate) trait Cost {
+    /// Bins along an axis for the shortest runs.
+    const FEWEST_BINS: usize;
+
+    /// What asking so many primitives costs.
+    fn cost(count: u32) -> f32;
+}
 
 /// Most bins along an axis; a power of two.
 const BINS: usize = 64;
-/// Short runs need no more bins than this; a power of two.
-const FEW_BINS: usize = 8;
 /// Longer runs are shared among threads, in chunks of this.
 const CHUNK: usize = 1 << 14;
 
@@ -30,6 +35,13 @@ impl Bounds {
             self.lo[k] = if other.lo[k] < self.lo[k] { other.lo[k] } else { self.lo[k] };
             self.hi[k] = if other.hi[k] > self.hi[k] { other.hi[k] } else { self.hi[k] };
         }
+    }
+
+    /// A box around both.
+    #[inline(always)]
+    pub(super) fn joined(mut self, other: &Bounds) -> Bounds {
+        self.grow(other);
+        self
     }
 
     #[inline(always)]
@@ -56,6 +68,11 @@ impl Prim {
         // Sums of both are 1 whatever the number, so that no denormal number gets into a product.
         bounds.hi[3] = 1.0;
         Prim(bounds)
+    }
+
+    #[cfg(test)]
+    pub(super) fn bounds(&self) -> &Bounds {
+        &self.0
     }
 
     pub(crate) fn number(&self) -> u32 {
@@ -115,8 +132,6 @@ impl Run {
 #[derive(Clone, Copy)]
 struct Binning {
     count: usize,
-    /// Keeps what is not a number within the bins that there are.
-    mask: u32,
     offset: [f32; 4],
     scale: [f32; 4],
 }
@@ -126,6 +141,8 @@ struct Cut {
     axis: usize,
     bin: usize,
     binning: Binning,
+    /// What has fallen to each side of it.
+    sides: [(Bounds, u32); 2],
 }
 
 impl Binning {
@@ -137,44 +154,49 @@ impl Binning {
             // A hair under `count`, so that the last centre falls into the last bin.
             *scale = if size > 1e-34 { 0.99 * count as f32 / size } else { 0.0 };
         }
-        let most = if count <= FEW_BINS { FEW_BINS } else { BINS };
-        Binning { count, mask: most as u32 - 1, offset: run.centres.lo, scale }
+        Binning { count, offset: run.centres.lo, scale }
     }
 
     /// The bin of each axis. Adding 2^17 leaves 6 binary places behind the point in a single, and the bin as a whole
-    /// number before it: that is quicker than a conversion, which has to mind what does not fit.
+    /// number before it: that is quicker than a conversion, which has to mind what does not fit. What is not a number
+    /// falls into any bin that there is.
     #[inline(always)]
     fn bins(&self, prim: &Prim) -> [u32; 4] {
         let (c, mut bins) = (prim.twice_centre(), [0; 4]);
         for k in 0..4 {
             let bin = (c[k] - self.offset[k]) * self.scale[k] + 131_072.0;
-            bins[k] = bin.to_bits() >> 6 & self.mask;
+            bins[k] = bin.to_bits() >> 6 & (BINS as u32 - 1);
         }
         bins
     }
 }
 
-/// What has fallen into each bin of each axis.
+/// What has fallen into each bin of each axis. It is kept from run to run: to make one takes as long as to fill it.
 #[derive(Clone)]
-struct Bins<const N: usize>([[(Bounds, u32); N]; 3]);
+pub(super) struct Bins([[(Bounds, u32); BINS]; 3]);
 
-impl<const N: usize> Bins<N> {
-    const EMPTY: Bins<N> = Bins([[(Bounds::EMPTY, 0); N]; 3]);
+impl Bins {
+    pub(super) const EMPTY: Bins = Bins([[(Bounds::EMPTY, 0); BINS]; 3]);
 
-    fn of(prims: &[Prim], binning: &Binning) -> Bins<N> {
-        let mut all = Bins::EMPTY;
+    fn fill(&mut self, prims: &[Prim], binning: &Binning) {
+        self.0.iter_mut().for_each(|bins| bins[..binning.count].fill((Bounds::EMPTY, 0)));
         for prim in prims {
             let places = binning.bins(prim);
-            for (axis, bins) in all.0.iter_mut().enumerate() {
-                let bin = &mut bins[places[axis] as usize & (N - 1)];
+            for (axis, bins) in self.0.iter_mut().enumerate() {
+                let bin = &mut bins[places[axis] as usize & (BINS - 1)];
                 bin.0.grow(&prim.0);
                 bin.1 += 1;
             }
         }
-        all
     }
 
-    fn joined(mut self, other: Bins<N>) -> Bins<N> {
+    fn of(prims: &[Prim], binning: &Binning) -> Bins {
+        let mut bins = Bins::EMPTY;
+        bins.fill(prims, binning);
+        bins
+    }
+
+    fn joined(mut self, other: Bins) -> Bins {
         for (mine, others) in self.0.iter_mut().flatten().zip(other.0.iter().flatten()) {
             mine.0.grow(&others.0);
             mine.1 += others.1;
@@ -182,26 +204,34 @@ impl<const N: usize> Bins<N> {
         self
     }
 
-    fn best_cut<L: Leaves>(&self, binning: &Binning) -> Option<Cut> {
+    fn best_cut<C: Cost>(&self, binning: &Binning) -> Option<Cut> {
         let mut best: Option<(f32, usize, usize)> = None;
         for (axis, bins) in self.0.iter().enumerate().filter(|(axis, _)| binning.scale[*axis] > 0.0) {
-            let (cost, bin) = cheapest::<L>(&bins[..binning.count]);
+            let (cost, bin) = cheapest::<C>(&bins[..binning.count]);
             if cost < best.map_or(f32::INFINITY, |b| b.0) {
                 best = Some((cost, axis, bin));
             }
         }
-        best.map(|(_, axis, bin)| Cut { axis, bin, binning: *binning })
+        best.map(|(_, axis, bin)| {
+            let (left, right) = self.0[axis][..binning.count].split_at(bin);
+            Cut { axis, bin, binning: *binning, sides: [all(left), all(right)] }
+        })
     }
 }
 
+/// What has fallen into some bins.
+fn all(bins: &[(Bounds, u32)]) -> (Bounds, u32) {
+    bins.iter().fold((Bounds::EMPTY, 0), |all, bin| (all.0.joined(&bin.0), all.1 + bin.1))
+}
+
 /// Cost and place of the cheapest cut of one axis; infinite where every cut leaves a side empty.
-fn cheapest<L: Leaves>(bins: &[(Bounds, u32)]) -> (f32, usize) {
+fn cheapest<C: Cost>(bins: &[(Bounds, u32)]) -> (f32, usize) {
     let mut right_cost = [0.0f32; BINS];
     let (mut bounds, mut count) = (Bounds::EMPTY, 0);
     for (i, bin) in bins.iter().enumerate().rev() {
         bounds.grow(&bin.0);
         count += bin.1;
-        right_cost[i] = if count == 0 { f32::INFINITY } else { bounds.half_area() * L::cost(count) };
+        right_cost[i] = if count == 0 { f32::INFINITY } else { bounds.half_area() * C::cost(count) };
     }
     let (mut bounds, mut count) = (Bounds::EMPTY, 0);
     let mut best = (f32::INFINITY, 0);
@@ -211,7 +241,7 @@ fn cheapest<L: Leaves>(bins: &[(Bounds, u32)]) -> (f32, usize) {
         if count == 0 {
             continue;
         }
-        let cost = bounds.half_area() * L::cost(count) + right_cost[i];
+        let cost = bounds.half_area() * C::cost(count) + right_cost[i];
         if cost < best.0 {
             best = (cost, i);
         }
@@ -220,8 +250,8 @@ fn cheapest<L: Leaves>(bins: &[(Bounds, u32)]) -> (f32, usize) {
 }
 
 /// Cuts a run in two and orders its primitives accordingly. Where no cut is better than another it is in the middle.
-pub(super) fn split<L: Leaves>(prims: &mut [Prim], run: &Run, by_area: bool) -> (Run, Run) {
-    match (by_area && prims.len() > 2).then(|| best_cut::<L>(prims, run)).flatten() {
+pub(super) fn split<C: Cost>(prims: &mut [Prim], run: &Run, by_area: bool, bins: &mut Bins) -> (Run, Run) {
+    match (by_area && prims.len() > 2).then(|| best_cut::<C>(prims, run, bins)).flatten() {
         Some(cut) => partition(prims, &cut),
         None => {
             let (first, second) = prims.split_at(prims.len() / 2);
@@ -230,32 +260,38 @@ pub(super) fn split<L: Leaves>(prims: &mut [Prim], run: &Run, by_area: bool) -> 
     }
 }
 
-fn best_cut<L: Leaves>(prims: &[Prim], run: &Run) -> Option<Cut> {
-    let binning = Binning::new(run, L::FEWEST_BINS);
-    if binning.count <= FEW_BINS {
-        return Bins::<FEW_BINS>::of(prims, &binning).best_cut::<L>(&binning);
+fn best_cut<C: Cost>(prims: &[Prim], run: &Run, bins: &mut Bins) -> Option<Cut> {
+    let binning = Binning::new(run, C::FEWEST_BINS);
+    if run.len <= 2 * CHUNK {
+        bins.fill(prims, &binning);
+        return bins.best_cut::<C>(&binning);
     }
-    let of = |prims: &[Prim]| Bins::<BINS>::of(prims, &binning);
-    let bins = match run.len <= 2 * CHUNK {
-        true => of(prims),
-        false => prims.par_chunks(CHUNK).map(of).reduce(|| Bins::EMPTY, Bins::joined),
-    };
-    bins.best_cut::<L>(&binning)
+    let of = |prims: &[Prim]| Bins::of(prims, &binning);
+    prims.par_chunks(CHUNK).map(of).reduce(|| Bins::EMPTY, Bins::joined).best_cut::<C>(&binning)
 }
 
 fn partition(prims: &mut [Prim], cut: &Cut) -> (Run, Run) {
-    let (mut left, mut right) = (Run::EMPTY, Run::EMPTY);
+    let mut centres = [Bounds::EMPTY; 2];
     let (mut start, mut end) = (0, prims.len());
     while start < end {
         let prim = prims[start];
+        let c = prim.twice_centre();
         if (cut.binning.bins(&prim)[cut.axis] as usize) < cut.bin {
-            left.add(&prim);
+            centres[0].grow(&Bounds { lo: c, hi: c });
             start += 1;
         } else {
-            right.add(&prim);
+            centres[1].grow(&Bounds { lo: c, hi: c });
             end -= 1;
             (prims[start], prims[end]) = (prims[end], prim);
         }
     }
-    (left, right)
+    let (first, second) = prims.split_at(start);
+    let run = |side: usize, prims: &[Prim]| match cut.sides[side] {
+        (bounds, count) if count as usize == prims.len() => {
+            Run { len: prims.len(), leaf: false, bounds, centres: centres[side] }
+        }
+        // Centres that are not numbers have fallen into no bin that counts.
+        _ => Run::of(prims),
+    };
+    (run(0, first), run(1, second))
 }

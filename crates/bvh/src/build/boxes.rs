@@ -1,10 +1,11 @@
 //! The tree over boxes: which boxes it takes, and its leaves, which are runs of primitives.
 use raggio_math::Aabb;
 
-use super::bins::{Bounds, Prim};
-use super::{Leaves, Tree, build};
+use super::Tree;
+use super::bins::{Bounds, Cost, Prim};
+use super::eight::Builder;
 use crate::kernel;
-use crate::node::{Child, MAX_LEAF};
+use crate::node::MAX_LEAF;
 use crate::round::{down, up};
 use crate::traverse::Bvh;
 
@@ -19,41 +20,16 @@ pub struct Built {
     pub unbounded: Vec<u32>,
 }
 
-/// Leaves of at most so many primitives.
-struct Runs(usize);
+/// Runs of primitives.
+pub(super) struct Runs;
 
-impl Leaves for Runs {
-    type Leaf = u32;
+impl Cost for Runs {
     const FEWEST_BINS: usize = 8;
-    const ALONE: bool = true;
-    const SMALLEST_LAST: bool = false;
-
-    fn size(&self) -> usize {
-        self.0
-    }
-
-    fn room(&self, count: usize) -> usize {
-        count
-    }
 
     /// Asking a primitive takes so much longer than visiting a node that only the primitives count.
     #[inline(always)]
     fn cost(count: u32) -> f32 {
         count as f32
-    }
-
-    fn fits(&self, _: &[Prim]) -> bool {
-        true
-    }
-
-    fn add(&self, prims: &[Prim], leaves: &mut Vec<u32>) -> u32 {
-        let start = leaves.len();
-        leaves.extend(prims.iter().map(Prim::number));
-        Child::leaf(start, prims.len()).word()
-    }
-
-    fn moved(word: u32, by: usize) -> u32 {
-        Child::from_word(word).moved(by).word()
     }
 }
 
@@ -74,7 +50,7 @@ impl Bvh {
                 false => unbounded.push(number as u32),
             }
         }
-        let (Tree { nodes, leaves }, _) = build(&Runs(leaf_size.clamp(1, MAX_LEAF)), prims);
+        let Tree { nodes, leaves } = Builder { size: leaf_size.clamp(1, MAX_LEAF) }.build(prims);
         Built { bvh: Bvh { nodes, prims: leaves, simd: kernel::simd_available() }, unbounded }
     }
 }

@@ -12,6 +12,9 @@ const LOOSE: usize = 4;
 /// Points in a block.
 pub(crate) const POINTS: usize = 8;
 
+/// Most corners of the triangles in a block of any kind.
+pub(crate) const MOST_CORNERS: usize = 3 * SHARED;
+
 /// Most points in a block of any kind.
 pub(crate) const MOST_POINTS: usize = 3 * LOOSE;
 

@@ -4,8 +4,9 @@ use std::marker::PhantomData;
 
 use rayon::prelude::*;
 
+use super::block::MOST_CORNERS;
 use super::{Block, LEAF};
-use crate::build::{self, Bounds, LARGE, Leaves, Prim, Tree};
+use crate::build::{self, Bounds, Cost, LARGE, Leaves, Prim, Tree};
 use crate::node::Node;
 
 type V3 = [f32; 3];
@@ -59,6 +60,18 @@ impl<B: Block> Triangles<'_, B> {
         B::of(prims.iter().map(triangle), self.vertices)
     }
 
+    /// Have these triangles no more vertices than a block has points? Quicker to tell than whether some lie in one place.
+    fn few_vertices(&self, prims: &[Prim]) -> bool {
+        let mut list = [u32::MAX; MOST_CORNERS];
+        let vertices = prims.iter().flat_map(|prim| self.corners[prim.number() as usize]);
+        list.iter_mut().zip(vertices).for_each(|(place, vertex)| *place = vertex);
+        // All are compared with all, without branches, which nobody could foresee.
+        let known =
+            |i: usize| (0..MOST_CORNERS).fold(false, |known, j| known | ((list[j] == list[i]) & (j < i)));
+        let count: usize = (0..3 * prims.len().min(MOST_CORNERS / 3)).map(|i| usize::from(!known(i))).sum();
+        count <= B::POINTS
+    }
+
     fn corners(&self, triangle: usize) -> [V3; 3] {
         self.corners[triangle].map(|corner| self.vertices[corner as usize])
     }
@@ -74,11 +87,18 @@ impl<B: Block> Triangles<'_, B> {
     }
 }
 
+impl<B: Block> Cost for Triangles<'_, B> {
+    const FEWEST_BINS: usize = 4;
+
+    /// Counts blocks, so that leaves come out full.
+    #[inline(always)]
+    fn cost(count: u32) -> f32 {
+        B::NODE_COST + count.div_ceil(B::LANES as u32) as f32
+    }
+}
+
 impl<B: Block> Leaves for Triangles<'_, B> {
     type Leaf = B;
-    const FEWEST_BINS: usize = 4;
-    const ALONE: bool = false;
-    const SMALLEST_LAST: bool = true;
 
     fn size(&self) -> usize {
         B::LANES
@@ -88,14 +108,8 @@ impl<B: Block> Leaves for Triangles<'_, B> {
         count / 2 + 1
     }
 
-    /// Counts blocks, so that leaves come out full.
-    #[inline(always)]
-    fn cost(count: u32) -> f32 {
-        B::NODE_COST + count.div_ceil(B::LANES as u32) as f32
-    }
-
     fn fits(&self, prims: &[Prim]) -> bool {
-        B::LOOSE || prims.len() <= 2 || self.block(prims).is_some()
+        B::LOOSE || prims.len() <= 2 || self.few_vertices(prims) || self.block(prims).is_some()
     }
 
     fn add(&self, prims: &[Prim], leaves: &mut Vec<B>) -> u32 {

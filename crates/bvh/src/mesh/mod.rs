@@ -12,12 +12,16 @@
 
 #[macro_use]
 mod block;
+#[cfg(target_arch = "x86_64")]
 #[macro_use]
 mod boxes;
+#[cfg(target_arch = "x86_64")]
 #[macro_use]
 mod leaf;
+#[cfg(target_arch = "x86_64")]
 #[macro_use]
 mod kernel;
+#[cfg(target_arch = "x86_64")]
 #[macro_use]
 mod bundle;
 mod build;
@@ -35,7 +39,7 @@ use raggio_math::{Aabb, Ray};
 
 pub(crate) use block::{Block, Blocks};
 
-use crate::build::{Bounds, MAX_DEPTH, Tree};
+use crate::build::{Bounds, MESH_DEPTH, Tree};
 use crate::node::{Child, Node};
 
 /// A ray in single precision with the range that counts.
@@ -92,7 +96,7 @@ pub(crate) fn block<B: Block>(blocks: &[B], word: u32) -> &B {
 pub(crate) const ROOT: u32 = 0;
 
 /// No traversal keeps more than this many children waiting: depth is bounded by the builder.
-pub(crate) const STACK: usize = MAX_DEPTH * 7 + 8;
+pub(crate) const STACK: usize = MESH_DEPTH * 7 + 8;
 
 /// A search structure over the triangles of a mesh.
 #[derive(Debug)]
@@ -102,6 +106,7 @@ pub struct MeshBvh {
     bounds: Bounds,
     isa: wide::Isa,
     /// Is most of it in no cache, so that rays had better call for their next nodes early?
+    #[cfg_attr(not(target_arch = "x86_64"), allow(dead_code))]
     far_off: bool,
 }
 
@@ -192,6 +197,7 @@ impl MeshBvh {
     /// Is a point outside the box around all triangles? What a ray from there hits first is mostly near. One from within
     /// goes far where it is free, and had better ask the smallest children, whose triangles are large.
     #[inline]
+    #[cfg_attr(not(target_arch = "x86_64"), allow(dead_code))]
     pub(crate) fn is_outside(&self, p: &[f32; 3]) -> bool {
         (0..3).any(|k| p[k] < self.bounds.lo[k] || p[k] > self.bounds.hi[k])
     }

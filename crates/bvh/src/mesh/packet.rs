@@ -14,13 +14,13 @@ use super::{MeshBvh, Packet, PacketHit};
 macro_rules! dispatch {
     ($bvh:expr, $question:ident($packet:expr)) => {
         // SAFETY: as in `wide`, the mesh's `Isa` is one that the machine has.
-        with_blocks!(&$bvh.blocks, list => match $bvh.isa {
+        match $bvh.isa {
             Isa::Scalar => None,
             #[cfg(target_arch = "x86_64")]
-            Isa::Avx2 => unsafe { avx2::$question($bvh, list, $packet) },
+            Isa::Avx2 => unsafe { with_blocks!(&$bvh.blocks, list => avx2::$question($bvh, list, $packet)) },
             #[cfg(target_arch = "x86_64")]
-            Isa::Avx512 => unsafe { avx512::$question($bvh, list, $packet) },
-        })
+            Isa::Avx512 => unsafe { with_blocks!(&$bvh.blocks, list => avx512::$question($bvh, list, $packet)) },
+        }
     };
 }
 
