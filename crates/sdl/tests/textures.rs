@@ -225,7 +225,7 @@ fn passes(text: &str) -> Vec<(f32, f32)> {
     let o = object(text);
     let Some(TextureKind::Layers(layers)) = o.texture.as_ref().map(|t| &t.item.kind) else { panic!("{o:?}") };
     let color = |layer: &Layer| match layer.pigment.kind {
-        PigmentKind::Solid(c) => (c.filter, c.transmit),
+        PigmentKind::Solid { color: c, .. } => (c.filter, c.transmit),
         ref other => panic!("{other:?}"),
     };
     layers.iter().map(color).collect()
