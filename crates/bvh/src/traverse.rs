@@ -149,13 +149,17 @@ impl Bvh {
                 }
                 Kind::Inner(index) => {
                     let node = &self.nodes[index];
-                    let mut outside = [false; WIDTH];
+                    let mut holds = [true; WIDTH];
                     for k in 0..3 {
-                        for (i, out) in outside.iter_mut().enumerate() {
-                            *out |= !(node.bounds[k][i] <= hi[k] && lo[k] <= node.bounds[k + 3][i]);
+                        for (i, holds) in holds.iter_mut().enumerate() {
+                            *holds &= (node.bounds[k][i] <= hi[k]) & (lo[k] <= node.bounds[k + 3][i]);
                         }
                     }
-                    stack.extend((0..WIDTH).filter(|&i| !outside[i]).map(|i| node.child(i)));
+                    for (i, holds) in holds.into_iter().enumerate() {
+                        if holds {
+                            stack.push(node.child(i));
+                        }
+                    }
                 }
             }
         }

@@ -161,7 +161,10 @@ impl Walk {
         let material = if c.form_only { MaterialId(u32::MAX) } else { c.material(&mut self.materials) };
         let convex = !inverted && self.leaves.is_convex(&prim);
         let rank = index as u32;
-        self.leaves.leaves.push(Leaf { prim, material, inverted, has_parts: false, convex, rank });
+        let first_only =
+            matches!(&**shape, Shape::Mesh(mesh) if object.hierarchy && mesh.inside_vector.is_none());
+        let leaf = Leaf { prim, material, inverted, has_parts: false, convex, first_only, rank };
+        self.leaves.leaves.push(leaf);
         if !c.form_only {
             self.part_textures(object, shape, c, index as u32);
             if c.cutaway.is_some() {

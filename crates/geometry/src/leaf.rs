@@ -18,6 +18,8 @@ pub(crate) struct Leaf {
     pub(crate) has_parts: bool,
     /// Does light that reaches its outer side from in front never meet it again? Flat and convex shapes.
     pub(crate) convex: bool,
+    /// Do combinations see of it only what a ray meets first? So they do in POV-Ray of a mesh without an inside.
+    pub(crate) first_only: bool,
     /// Of surfaces of one object at the same distance, that of the leaf with the highest rank is seen.
     pub(crate) rank: u32,
 }
@@ -357,8 +359,10 @@ impl Leaves {
             Prim::Plane(plane) => plane.inside(p),
             Prim::Box(cuboid) => cuboid.inside(p),
             Prim::PlacedBox { cuboid, place, .. } => cuboid.inside(moved(*place)),
-            Prim::World(s) => self.shapes[*s as usize].inside(p),
-            Prim::Placed { shape, place } => self.shapes[*shape as usize].inside(moved(*place)),
+            Prim::World(s) => return self.shapes[*s as usize].holds(p, leaf.inverted),
+            Prim::Placed { shape, place } => {
+                return self.shapes[*shape as usize].holds(moved(*place), leaf.inverted);
+            }
         };
         inside != leaf.inverted
     }

@@ -83,7 +83,7 @@ impl Materials {
 fn is_uniform(texture: &Texture) -> bool {
     let TextureKind::Layers(layers) = &texture.kind else { return false };
     layers.iter().all(|layer| {
-        matches!(layer.pigment.kind, PigmentKind::Solid(_))
+        matches!(layer.pigment.kind, PigmentKind::Solid { .. })
             && layer.normal.is_none()
             && layer.finish.irid.is_none()
     })

@@ -161,7 +161,9 @@ fn placed_shape(
         true => transformed(&shape.inside_bounds(), world_from_object),
         false => Aabb::EMPTY,
     };
-    boxed(prim, inverted, surface, inside)
+    // What has no inside has none turned inside out either; but the sides of a mesh change places.
+    let turned = inverted && (shape.is_solid() || matches!(shape, ShapeKind::Mesh(_)));
+    PlacedShape { inverted: turned, ..boxed(prim, inverted && shape.is_solid(), surface, inside) }
 }
 
 /// The box around a shape at its place.

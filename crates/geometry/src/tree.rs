@@ -177,28 +177,20 @@ impl Tree {
         {
             return found;
         }
+        let start = range.0;
         let range = group.span(probe.ray, range, &self.leaves)?;
         if !self.within_bounds(group, probe, scratch) {
             return None;
         }
         let mut best = Hit::NONE;
-        let found = match group.all_count() {
-            true => {
-                let members = &group.surfaces;
-                self.closest_of_all(group, members, probe, range, class, scratch, stops, &mut best)
-            }
-            false => self.closest_member(
-                group,
-                &group.surfaces,
-                probe,
-                range,
-                class,
-                stops,
-                &mut best,
-                |index, range, out| {
-                    put(self.closest_that_counts(group, index, probe, range, class, scratch), out)
-                },
-            ),
+        let members = &group.surfaces;
+        let found = if group.all_count() {
+            self.closest_of_all(group, members, probe, range, class, scratch, stops, &mut best)
+        } else {
+            let ask = |index, range, out: &mut Hit| {
+                put(self.closest_that_counts(group, index, probe, start, range, class, scratch), out)
+            };
+            self.closest_member(group, members, probe, range, class, stops, &mut best, ask)
         };
         found.then_some(best)
     }
@@ -277,18 +269,32 @@ impl Tree {
         a.t < b.t || (a.t == b.t && rank(a) > rank(b))
     }
 
-    /// The nearest of a member's hits that the group lets count.
+    /// What a ray meets first of a member from `start` on, if the group sees no more of it than that.
+    fn only_first(&self, group: &Group, member: NodeRef, ray: &Ray, start: f64) -> Option<Option<Hit>> {
+        match member.node() {
+            Node::Leaf(leaf) if group.op != Op::Union && self.leaves.leaves[leaf as usize].first_only => {
+                Some(self.leaves.closest(leaf, ray, (start, f64::INFINITY), &|_| false))
+            }
+            _ => None,
+        }
+    }
+
+    /// The nearest of a member's hits that the group lets count; the ray begins at `start`.
     fn closest_that_counts(
         &self,
         group: &Group,
         member: u32,
         probe: &Probe,
+        start: f64,
         range: (f64, f64),
         class: u8,
         scratch: &mut Scratch,
     ) -> Option<Hit> {
         let node = group.members[member as usize].node;
         let counts = |t: f64| self.counts(group, member, probe.ray.at(t));
+        if let Some(first) = self.only_first(group, node, probe.ray, start) {
+            return first.filter(|hit| range.0 < hit.t && hit.t < range.1 && counts(hit.t));
+        }
         if let Node::Leaf(leaf) = node.node() {
             let ray = probe.ray;
             let found = self.leaves.closest_of_few(leaf, ray, range, 0.0, |hit| counts(hit.t));
@@ -327,6 +333,7 @@ impl Tree {
             }
             hits.truncate(start);
         }
+        let start = range.0;
         let Some(range) = group.span(probe.ray, range, &self.leaves) else { return };
         if !self.within_bounds(group, probe, scratch) {
             return;
@@ -337,14 +344,19 @@ impl Tree {
             if member.skip & class != 0 {
                 return;
             }
-            let start = scratch.lists().hits.len();
-            self.hits(member.node, probe, range, class, scratch);
+            let before = scratch.lists().hits.len();
+            match self.only_first(group, member.node, probe.ray, start) {
+                Some(first) => {
+                    scratch.lists().hits.extend(first.filter(|hit| range.0 < hit.t && hit.t < range.1));
+                }
+                None => self.hits(member.node, probe, range, class, scratch),
+            }
             if all_count {
                 return;
             }
             let hits = &mut scratch.lists().hits;
-            let mut kept = start;
-            for i in start..hits.len() {
+            let mut kept = before;
+            for i in before..hits.len() {
                 if self.counts(group, index, probe.ray.at(hits[i].t)) {
                     hits.swap(kept, i);
                     kept += 1;

@@ -68,7 +68,7 @@ impl Material {
                 let pigment = PigmentKind::Image { warps: Vec::new(), image: Arc::new(image) };
                 PigmentKind::Uv(Arc::new(Pigment { kind: pigment, quick_color: None }))
             }
-            None => PigmentKind::Solid(Color { rgb: self.diffuse, filter: 0.0, transmit }),
+            None => PigmentKind::solid(Color { rgb: self.diffuse, filter: 0.0, transmit }),
         };
         let mut finish = Finish { diffuse: 1.0, diffuse_raw: 1.0, ..Finish::default() };
         if self.exponent > 0.0 {

@@ -75,7 +75,7 @@ fn obj_materials_become_textures() {
         TextureKind::Layers(layers) => layers[0].clone(),
         other => panic!("{other:?}"),
     };
-    let PigmentKind::Solid(color) = layer(0).pigment.kind else { panic!("a plain colour") };
+    let PigmentKind::Solid { color, .. } = layer(0).pigment.kind else { panic!("a plain colour") };
     assert_eq!((color.rgb.to_array(), color.transmit), ([1., 0., 0.], 0.25));
     assert_eq!((layer(0).finish.specular, layer(0).finish.roughness), (0.5, 0.02));
     assert!(matches!(layer(1).pigment.kind, PigmentKind::Uv(_)));

@@ -3,6 +3,7 @@ mod stage;
 
 use std::sync::Arc;
 
+use raggio_math::Vec3;
 use raggio_scene::*;
 use stage::*;
 
@@ -21,21 +22,26 @@ fn down() -> Camera {
     camera
 }
 
+fn gradient(along: Vec3, wave: Wave) -> Pattern {
+    Pattern {
+        kind: PatternKind::Gradient(along),
+        warps: Vec::new(),
+        wave,
+        frequency: 1.0,
+        phase: 0.0,
+        noise_generator: 0,
+    }
+}
+
 /// A floor under a sky that goes from black at the horizon to orange at the zenith.
 fn open_floor() -> Scene {
     let floor = texture(rgbft([0.9, 0.8, 0.7, 0.0, 0.0]), matt(0.8));
     let mut scene = scene(down(), vec![plane(v(0.0, 1.0, 0.0), 0.0, floor)]);
-    let gradient = Pattern {
-        kind: PatternKind::Gradient(v(0.0, 1.0, 0.0)),
-        warps: Vec::new(),
-        wave: Wave::Ramp,
-        frequency: 1.0,
-        phase: 0.0,
-        noise_generator: 0,
-    };
     let map = Arc::new(vec![(0.0, Color::BLACK), (1.0, rgbft([1.0, 0.5, 0.25, 0.0, 0.0]))]);
-    let pigment =
-        Pigment { kind: PigmentKind::ColorMap { pattern: Arc::new(gradient), map }, quick_color: None };
+    let pigment = Pigment {
+        kind: PigmentKind::ColorMap { pattern: Arc::new(gradient(v(0.0, 1.0, 0.0), Wave::Ramp)), map },
+        quick_color: None,
+    };
     scene.atmosphere.sky_sphere =
         Some(SkySphere { pigments: vec![Placed::new(Arc::new(pigment))], emission: Rgb::ONE });
     scene.settings.radiosity = Some(settings());
@@ -51,6 +57,21 @@ fn an_open_floor_under_a_sky() {
     // The mean of y over the hemisphere by cosine is 2/3.
     let mean = film.pixels.iter().map(|p| p[0]).sum::<f32>() / 1600.0;
     assert!((mean - 0.9 * 0.8 * 2.0 / 3.0).abs() < 0.01, "{mean}");
+}
+
+/// Bumps so steep that they look down into the floor do not turn it over.
+#[test]
+fn steep_bumps_gather_as_a_flat_floor_does() {
+    let mut scene = open_floor();
+    scene.camera = view(CameraKind::Perspective, v(0.0, 1.0, 0.0), 1.0, 1.0);
+    scene.camera.direction = v(0.0, -0.6, 0.8);
+    let flat = render(&scene, &options(20, 20));
+    let floor = Arc::make_mut(&mut scene.objects[0]);
+    let texture = Arc::make_mut(&mut floor.texture.as_mut().expect("a texture").item);
+    let TextureKind::Layers(layers) = &mut texture.kind else { panic!("layers") };
+    let kind = NormalKind::Slope { pattern: Arc::new(gradient(v(0.0, 1.0, 1.0), Wave::Sine)), map: None };
+    layers[0].normal = Some(Arc::new(Normal { kind, amount: 5.0, accuracy: 0.02, no_bump_scale: false }));
+    assert_eq!(render(&scene, &options(20, 20)).pixels, flat.pixels);
 }
 
 #[test]

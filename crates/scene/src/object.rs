@@ -84,7 +84,8 @@ pub struct Object {
     pub uv_mapping: bool,
     /// `sturm`
     pub sturm: bool,
-    /// `hierarchy off` on shapes that have an inner search structure changes no picture; kept for the record.
+    /// `hierarchy off` on a shape that has an inner search structure. Combinations then see all of a mesh without an
+    /// inside, not only what a ray meets first.
     pub hierarchy: bool,
     /// `split_union off` keeps a union of the top level together, which shows where its surfaces coincide.
     pub split_union: bool,

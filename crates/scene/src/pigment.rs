@@ -23,7 +23,12 @@ pub struct Pigment {
 #[derive(Clone, Debug)]
 pub enum PigmentKind {
     /// One colour.
-    Solid(Color),
+    Solid {
+        /// The colour.
+        color: Color,
+        /// Without effect on it. A pattern that a later `pigment { }` puts in its place goes through them.
+        warps: Vec<Warp>,
+    },
     /// A pattern that looks up colours.
     ColorMap {
         /// The pattern.
@@ -52,6 +57,13 @@ pub enum PigmentKind {
 impl Pigment {
     /// A pigment of one colour.
     pub fn solid(color: Color) -> Self {
-        Pigment { kind: PigmentKind::Solid(color), quick_color: None }
+        Pigment { kind: PigmentKind::solid(color), quick_color: None }
+    }
+}
+
+impl PigmentKind {
+    /// One colour that nothing has moved.
+    pub fn solid(color: Color) -> Self {
+        PigmentKind::Solid { color, warps: Vec::new() }
     }
 }

@@ -34,6 +34,8 @@ fn conditionals_stand_anywhere() {
     says("#ifdef(sphere) Say(1) #end #ifdef(Say) Say(2) #end", "2");
     says("# if (1) Say(1) # end", "1");
     says("#declare A = 3 #if(1) + 4 #end; Say(A)", "7");
+    says("#declare A = #if(0) merge #else union #end { sphere { 0, 1 } } Say(3)", "3");
+    says("#declare A = pigment #declare N = 2; { rgb N } Say(N)", "2");
     fails("#if(1)", "missing-end");
     fails("#if(0)", "missing-end");
     fails("#if(0) #end #end", "unexpected-directive");

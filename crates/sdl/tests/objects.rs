@@ -148,7 +148,9 @@ fn bare_objects_get_the_default_texture_when_they_are_linked() {
     let text = "#declare S = sphere { 0, 1 } #default { pigment { rgb 0.5 } } object { S }";
     let o = object(text);
     let Some(TextureKind::Layers(layers)) = o.texture.as_ref().map(|t| &t.item.kind) else { panic!("{o:?}") };
-    assert!(matches!(layers[0].pigment.kind, raggio_scene::PigmentKind::Solid(c) if c.rgb.x == 0.5));
+    assert!(
+        matches!(layers[0].pigment.kind, raggio_scene::PigmentKind::Solid { color, .. } if color.rgb.x == 0.5)
+    );
     let cut = object("difference { sphere { 0, 1 pigment { rgb 1 } } sphere { x, 1 } cutaway_textures }");
     assert!(cut.texture.is_none());
     // Where no member has a texture there is nothing to cut away to.

@@ -54,6 +54,17 @@ fn a_pigment_named_alone_is_the_very_one() {
 }
 
 #[test]
+fn the_object_of_an_object_pattern_may_be_moved() {
+    let p = pigment("object { sphere { x, 1 } scale 2 translate -x rgb 0, rgb 1 }");
+    let (PigmentKind::ColorMap { pattern, .. } | PigmentKind::PigmentMap { pattern, .. }) = &p.kind else {
+        panic!("{p:?}")
+    };
+    let PatternKind::Object(object) = &pattern.kind else { panic!("{pattern:?}") };
+    assert_eq!(object.parent_from_object.transform_point3(Vec3::X), Vec3::X);
+    assert_eq!(object.parent_from_object.transform_point3(Vec3::ZERO), -Vec3::X);
+}
+
+#[test]
 fn the_last_transform_acts_first_and_turbulence_last() {
     let p =
         pigment("bozo turbulence 0.5 scale 2 translate x warp { repeat 3*x flip y } rotate 90*y omega 0.7");
@@ -214,7 +225,7 @@ fn passes(text: &str) -> Vec<(f32, f32)> {
     let o = object(text);
     let Some(TextureKind::Layers(layers)) = o.texture.as_ref().map(|t| &t.item.kind) else { panic!("{o:?}") };
     let color = |layer: &Layer| match layer.pigment.kind {
-        PigmentKind::Solid(c) => (c.filter, c.transmit),
+        PigmentKind::Solid { color: c, .. } => (c.filter, c.transmit),
         ref other => panic!("{other:?}"),
     };
     layers.iter().map(color).collect()

@@ -75,7 +75,7 @@ impl Compiler {
     /// Compiles a pigment with all its parts.
     pub(crate) fn pigment(&mut self, pigment: &scene::Pigment) -> Pigment {
         let kind = match &pigment.kind {
-            PigmentKind::Solid(color) => Kind::Solid(*color),
+            PigmentKind::Solid { color, .. } => Kind::Solid(*color),
             PigmentKind::ColorMap { pattern, map } => {
                 colors(self.pattern(pattern), Map::new(map.iter().copied()))
             }
@@ -105,7 +105,7 @@ impl Compiler {
 /// The colours of a map whose entries are no more than colours, as those of densities mostly are. A mean of them is no map.
 fn plain_colors(pattern: &scene::Pattern, map: &[(f32, Arc<scene::Pigment>)]) -> Option<Map<Color>> {
     let plain = |(at, entry): &(f32, Arc<scene::Pigment>)| match entry.kind {
-        PigmentKind::Solid(color) if entry.quick_color.is_none() => Some((*at, color)),
+        PigmentKind::Solid { color, .. } if entry.quick_color.is_none() => Some((*at, color)),
         _ => None,
     };
     let average = matches!(pattern.kind, PatternKind::Average);

@@ -370,6 +370,13 @@ impl ShapeKind {
         )
     }
 
+    /// Is the point in it, or in it turned inside out? Nothing is in what has no inside, however it is turned.
+    #[inline]
+    pub(crate) fn holds(&self, p: Vec3, inverted: bool) -> bool {
+        let inside = self.inside(p);
+        inside != inverted && (inside || self.is_solid())
+    }
+
     /// Does it know of [`ShapeKind::plainly_misses`]?
     pub(crate) fn tells_misses(&self) -> bool {
         matches!(self, ShapeKind::Blob(_))

@@ -219,11 +219,12 @@ impl Tracer<'_> {
         around: &mut [Option<Rgb>; 2],
     ) -> Rgb {
         let mut sum = Rgb::ZERO;
-        let sides = [(finish.diffuse_raw, n), (finish.diffuse_back_raw, -n)];
-        for ((diffuse, n), around) in sides.into_iter().zip(around) {
+        // Steep bumps may lean over: the sides are those of the surface itself.
+        let sides = [(finish.diffuse_raw, (n, point.n)), (finish.diffuse_back_raw, (-n, -point.n))];
+        for ((diffuse, normals), around) in sides.into_iter().zip(around) {
             let share = share * diffuse;
             if around.is_none() && share > self.bailout {
-                *around = self.irradiance(point, n, point.beam.weight * share);
+                *around = self.irradiance(point, normals, point.beam.weight * share);
             }
             sum += around.unwrap_or(Rgb::ZERO) * diffuse;
         }

@@ -186,7 +186,7 @@ fn effort(pigment: &scene::Pigment) -> u8 {
         u8::from(!simple || pattern.warps.iter().any(turbulent))
     };
     match &pigment.kind {
-        PigmentKind::Solid(_) => 0,
+        PigmentKind::Solid { .. } => 0,
         PigmentKind::ColorMap { pattern, .. } => of(pattern),
         _ => 1,
     }

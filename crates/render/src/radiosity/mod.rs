@@ -125,9 +125,14 @@ impl<'w> State<'w> {
 }
 
 impl Tracer<'_> {
-    /// The diffuse light from all around at a point, for a layer that counts as much as `weight`; `None` where it is
-    /// not to be had any more.
-    pub(crate) fn irradiance(&mut self, point: &SurfacePoint<'_>, n: Vec3, weight: f32) -> Option<Rgb> {
+    /// The diffuse light from all around at a point, on the side of the surface to which `raw` points, for a layer with
+    /// the normal `n` that counts as much as `weight`; `None` where it is not to be had any more.
+    pub(crate) fn irradiance(
+        &mut self,
+        point: &SurfacePoint<'_>,
+        (n, raw): (Vec3, Vec3),
+        weight: f32,
+    ) -> Option<Rgb> {
         let state = self.radiosity.as_ref().filter(|s| s.gathers())?;
         let (rules, depth, settings) = (state.rules, state.depth, &state.rules.settings);
         let mut error = settings.error_bound;
@@ -135,7 +140,6 @@ impl Tracer<'_> {
             error *= settings.low_error_factor;
         }
         error += (0.25 - weight).max(0.0);
-        let raw = if n.dot(point.n) >= 0.0 { point.n } else { -point.n };
         let query = Query {
             p: point.surface.p,
             n: if settings.normal { n } else { raw },

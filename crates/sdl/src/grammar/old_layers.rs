@@ -23,7 +23,7 @@ fn untint(pigment: &mut Arc<Pigment>) {
         return;
     }
     match &mut Arc::make_mut(pigment).kind {
-        PigmentKind::Solid(color) => pass(color),
+        PigmentKind::Solid { color, .. } => pass(color),
         PigmentKind::ColorMap { map, .. } => Arc::make_mut(map).iter_mut().for_each(|(_, color)| pass(color)),
         PigmentKind::PigmentMap { map, .. } => map.iter_mut().for_each(|(_, pigment)| untint(pigment)),
         PigmentKind::Uv(inner) => untint(inner),
@@ -38,7 +38,7 @@ fn pass(color: &mut Color) {
 /// Is there anything to change? What others share is copied only then.
 fn tints(pigment: &Pigment) -> bool {
     match &pigment.kind {
-        PigmentKind::Solid(color) => color.filter != 0.0,
+        PigmentKind::Solid { color, .. } => color.filter != 0.0,
         PigmentKind::ColorMap { map, .. } => map.iter().any(|(_, color)| color.filter != 0.0),
         PigmentKind::PigmentMap { map, .. } => map.iter().any(|(_, pigment)| tints(pigment)),
         PigmentKind::Uv(inner) => tints(inner),

@@ -55,10 +55,16 @@ impl Draft {
         Draft { warps: warps.to_vec(), ..Draft::default() }
     }
 
-    /// Sets the formula, with the wave and the frequency that are its custom.
+    /// Sets the formula, with the wave and the frequency that are its custom; in place of another formula only with
+    /// those that are not everybody's.
     pub fn set_kind(&mut self, kind: PatternKind) {
-        self.wave = default_wave(&kind);
-        self.frequency = default_frequency(&kind);
+        let (wave, frequency) = (default_wave(&kind), default_frequency(&kind));
+        if self.kind.is_none() || wave != Wave::Ramp {
+            self.wave = wave;
+        }
+        if self.kind.is_none() || frequency == 0.0 || self.frequency == 0.0 {
+            self.frequency = frequency;
+        }
         self.kind = Some(kind);
     }
 

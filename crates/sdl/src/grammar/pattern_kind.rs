@@ -222,17 +222,20 @@ fn range(p: &mut Parser) -> Result<(f64, f64)> {
     Ok((lo, hi))
 }
 
-/// `object { OBJECT items }`, with the items inside or after the braces.
+/// `object { OBJECT transforms items }`, with the items inside or after the braces.
 fn object_pattern(p: &mut Parser, list: ReadList) -> Result<PatternKind> {
     p.next()?;
     p.expect('{')?;
-    let object: Arc<Object> = match p.peek()? {
+    let mut object: Arc<Object> = match p.peek()? {
         Tok::Value(Kind::Object) => take!(p, Object),
         _ => match object::any(p)? {
             Some(object) => Arc::new(object),
             None => return p.expected("an object"),
         },
     };
+    while let Some(transform) = p.accept_transform()? {
+        Arc::make_mut(&mut object).transform(&transform);
+    }
     object::refuse_patch(p, &object)?;
     let found = list(p, 2)?;
     p.expect('}')?;

@@ -49,8 +49,13 @@ impl Draft {
     /// Begins with a finished pigment, which is to be modified.
     pub fn new(base: &Pigment, flavour: Flavour) -> Self {
         let (pattern, fill) = match &base.kind {
-            PigmentKind::Solid(color) => (pattern::Draft::default(), Fill::Solid(*color)),
-            PigmentKind::ColorMap { pattern, map } => (pattern.as_ref().into(), Fill::Colors(map.clone())),
+            PigmentKind::Solid { color, warps } => (pattern::Draft::from_warps(warps), Fill::Solid(*color)),
+            PigmentKind::ColorMap { pattern, map } => {
+                // Colours that a pattern without a list came with leave when it does.
+                let own = pattern::block_size(&pattern.kind).is_none()
+                    && **map == default_map::colors(&pattern.kind, flavour);
+                (pattern.as_ref().into(), if own { Fill::Nothing } else { Fill::Colors(map.clone()) })
+            }
             PigmentKind::PigmentMap { pattern, map } => {
                 (pattern.as_ref().into(), Fill::Pigments(Arc::new(map.clone())))
             }
@@ -86,9 +91,9 @@ impl Draft {
         }
         let Some(kind) = self.pattern.kind.take() else {
             return Ok(match self.fill {
-                Fill::Solid(color) => PigmentKind::Solid(color),
                 Fill::OnUv(inner) => PigmentKind::Uv(inner),
-                _ => PigmentKind::Solid(Color::BLACK),
+                Fill::Solid(color) => PigmentKind::Solid { color, warps: self.pattern.warps },
+                _ => PigmentKind::Solid { color: Color::BLACK, warps: self.pattern.warps },
             });
         };
         let kind = pattern::checked(p, kind)?;
@@ -295,16 +300,16 @@ pub fn density_map(p: &mut Parser) -> Result<Arc<Map<Density>>> {
     })
 }
 
-/// Moves a pigment. One that is solid or that lies on (u, v) stays as it is.
+/// Moves a pigment. One that lies on (u, v) stays as it is.
 pub fn transform(pigment: &mut Arc<Pigment>, t: &Affine) {
-    if matches!(pigment.kind, PigmentKind::Solid(_) | PigmentKind::Uv(_)) {
+    if matches!(pigment.kind, PigmentKind::Uv(_)) {
         return;
     }
     match &mut Arc::make_mut(pigment).kind {
-        PigmentKind::Solid(_) | PigmentKind::Uv(_) => {}
+        PigmentKind::Uv(_) => {}
         PigmentKind::ColorMap { pattern, .. } | PigmentKind::PigmentMap { pattern, .. } => {
             warp::transform(&mut Arc::make_mut(pattern).warps, t);
         }
-        PigmentKind::Image { warps, .. } => warp::transform(warps, t),
+        PigmentKind::Solid { warps, .. } | PigmentKind::Image { warps, .. } => warp::transform(warps, t),
     }
 }

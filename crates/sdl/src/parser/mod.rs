@@ -168,7 +168,19 @@ impl Parser<'_> {
     /// Consumes the character or fails, naming what was expected.
     #[inline]
     pub fn expect(&mut self, c: char) -> Result<()> {
-        if self.accept_punct(c)? { Ok(()) } else { self.expected(&format!("`{c}`")) }
+        if self.accept_punct(c)? || self.accept_after_directives(c)? {
+            return Ok(());
+        }
+        self.expected(&format!("`{c}`"))
+    }
+
+    /// What must come can't be the end of a right side: `#declare L = #if (M) merge #else union #end { ... }`.
+    #[cold]
+    fn accept_after_directives(&mut self, c: char) -> Result<bool> {
+        let stop = std::mem::replace(&mut self.cursor.stop, Stop::Never);
+        let found = stop != Stop::Never && self.accept_punct(c)?;
+        self.cursor.stop = stop;
+        Ok(found)
     }
 
     /// An optional comma.
