@@ -264,19 +264,19 @@ impl Geometry {
     /// Puts the hit that [`Geometry::closest`] finds where it is wanted, and says whether there is one.
     pub fn closest_into(&self, ray: &Ray, range: (f64, f64), class: RayClass, best: &mut Hit) -> bool {
         let range = (range.0.max(MIN_HIT), range.1.min(MAX_DISTANCE));
-        if !self.few.is_empty() {
-            return self.closest_of_few(ray, range, class, best);
-        }
         let found = self.borders.closest(ray, range, class.bit(), best);
         let range = (range.0, if found { best.t } else { range.1 });
+        if !self.few.is_empty() {
+            return found | self.closest_of_few(ray, range, class, best);
+        }
         let (probe, scratch) = (Probe::new(ray), &mut Scratch::default());
         let (world, others) = (&self.world, &self.borders.others);
         found | self.tree.closest_of_all(world, others, &probe, range, class.bit(), scratch, &|_| false, best)
     }
 
-    /// [`Geometry::closest_into`] in a world of a few leaves.
+    /// [`Geometry::closest_into`] in a world of a few leaves, but for its planes.
     fn closest_of_few(&self, ray: &Ray, range: (f64, f64), class: RayClass, best: &mut Hit) -> bool {
-        let mut found = self.borders.closest(ray, range, class.bit(), best);
+        let mut found = false;
         let others = &self.few[self.borders.len()..];
         for member in others.iter().filter(|member| member.skip & class.bit() == 0) {
             let Node::Leaf(leaf) = member.node.node() else { continue };

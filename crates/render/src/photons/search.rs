@@ -133,7 +133,8 @@ impl Visitor for Look<'_> {
         let block = &self.index.blocks[block];
         let squares = block.squares(self.place, self.normal);
         let limit = self.nearest.limit;
-        if below(&squares, &[limit; WIDTH]) == 0 {
+        let within = below(&squares, &[limit; WIDTH]);
+        if within == 0 {
             return;
         }
         let mut near = [0; WIDTH];
@@ -142,27 +143,20 @@ impl Visitor for Look<'_> {
         }
         // Kept together by `black_box`: what the compiler sees going separate ways it takes apart.
         let mut near = black_box(near);
-        if block.shy != 0 {
-            self.forget_hidden(block, &mut near);
+        if within & block.shy != 0 {
+            self.forget_hidden(block, within & block.shy, &mut near);
         }
         self.nearest.note(&near, &squares, block.first);
     }
 }
 
 impl Look<'_> {
-    /// Takes out what POV-Ray does not find.
+    /// Takes out what of some shy photons POV-Ray does not find.
     #[inline(never)]
-    fn forget_hidden(&self, block: &Block, near: &mut [u32; WIDTH]) {
-        let mut doubtful = 0;
-        for (i, near) in near.iter().enumerate() {
-            doubtful |= (*near as u8) << i;
-        }
-        doubtful &= block.shy;
-        if doubtful != 0 {
-            let hidden = self.hidden(block, doubtful);
-            for (i, near) in near.iter_mut().enumerate() {
-                *near &= !u32::from(hidden >> i & 1);
-            }
+    fn forget_hidden(&self, block: &Block, doubtful: u8, near: &mut [u32; WIDTH]) {
+        let hidden = self.hidden(block, doubtful);
+        for (i, near) in near.iter_mut().enumerate() {
+            *near &= !u32::from(hidden >> i & 1);
         }
     }
 

@@ -55,7 +55,7 @@ pub(super) struct Cell {
     pub plane: f64,
     halves: OnceBox<[Cell; 2]>,
     known: Box<Known>,
-    /// A [`Kind`]; that of a box that is cut changes when its halves turn out to be free.
+    /// A [`Kind`]; it changes when the box is cut late, and when its halves turn out to be free.
     kind: AtomicU8,
     /// How often the whole was cut to get here.
     depth: u8,
