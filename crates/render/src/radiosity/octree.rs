@@ -1,5 +1,5 @@
 //! Where light samples lie: a loose octree, whose cells look at eight of them at once.
-use raggio_math::Vec3;
+use raggio_math::{Aabb, Vec3};
 use smallvec::{SmallVec, smallvec};
 use wide::f32x8;
 
@@ -18,18 +18,27 @@ struct Node {
     centre: Vec3,
     /// The side, which is half that of the doubled cell.
     side: f64,
-    /// One over a quarter of the side, which is a power of two.
-    per_quarter: f64,
     level: i32,
     index: [i64; 3],
     children: [u32; 8],
-    /// Which of them there are, a bit each.
-    present: u8,
+    is_leaf: bool,
+    /// Where a search goes on for each of them: past nodes without samples that have but one child.
+    next: [u32; 8],
+    /// Where the doubled cells lie of the nodes with samples below each child; most nodes have none of their own.
+    reaches: Reaches,
+    /// The same of the node itself and all below.
+    all: Aabb,
     samples: Vec<Sample>,
     /// Eight samples each: what most of them fail by.
     outlines: Vec<Outlines>,
     /// By sample: the radius in which it counts.
     radii: Vec<f64>,
+}
+
+/// Eight boxes, from the middle of a node.
+struct Reaches {
+    low: [Lanes; 3],
+    high: [Lanes; 3],
 }
 
 /// Samples that are looked at together.
@@ -70,11 +79,13 @@ impl Node {
         Node {
             centre,
             side,
-            per_quarter: 4.0 / side,
             level,
             index,
             children: [NONE; 8],
-            present: 0,
+            is_leaf: true,
+            next: [NONE; 8],
+            reaches: Reaches::NONE,
+            all: Aabb::EMPTY,
             samples: Vec::new(),
             outlines: Vec::new(),
             radii: Vec::new(),
@@ -91,12 +102,19 @@ impl Node {
         }
         self.samples.push(sample);
         self.radii.push(radius);
+        self.all = self.all.union(&self.doubled());
+    }
+
+    /// The cell, doubled about its middle.
+    fn doubled(&self) -> Aabb {
+        Aabb { min: self.centre - self.side, max: self.centre + self.side }
     }
 
     /// Visits the samples that may count at a point by their distance and normal.
     #[inline]
     fn visit(&self, p: Vec3, asked: &Asked, each: &mut impl FnMut(&Sample)) {
-        if self.samples.is_empty() {
+        let offset = (p - self.centre).abs();
+        if self.samples.is_empty() || offset.max_element() > self.side {
             return;
         }
         let place = all_lanes(p - self.centre);
@@ -113,21 +131,50 @@ impl Node {
         }
     }
 
-    fn adopt(&mut self, slot: usize, child: u32) {
+    /// Takes in a child, or what is new below it: where a search goes on there, and the box around all samples' cells.
+    fn adopt(&mut self, slot: usize, child: u32, next: u32, below: &Aabb) {
         self.children[slot] = child;
-        self.present |= 1 << slot;
+        self.is_leaf = false;
+        self.next[slot] = next;
+        self.reaches.set(slot, below.min - self.centre, below.max - self.centre);
+        self.all = self.all.union(below);
     }
 
-    /// Which children's doubled cells hold the point: a bit each, found without looking at them.
+    /// Where a search goes on that comes to this node, which has that number.
+    fn entrance(&self, number: u32) -> u32 {
+        let mut children = self.next.iter().filter(|&&next| next != NONE);
+        match (children.next(), children.next()) {
+            (Some(&only), None) if self.samples.is_empty() => only,
+            _ => number,
+        }
+    }
+
+    /// The children below which samples may reach the point: a bit each, found without looking at them.
     #[inline]
-    fn reaching(&self, p: Vec3) -> u8 {
-        let offset = (p - self.centre) * self.per_quarter;
-        // By axis: the children on the upper side, and those on the lower side.
-        const UPPER: [u8; 3] = [0b1010_1010, 0b1100_1100, 0b1111_0000];
-        let all = |which: bool| 0u8.wrapping_sub(u8::from(which));
-        let side =
-            |x: f64, upper: u8| all(x.abs() <= 3.0) & ((upper & all(x >= -1.0)) | (!upper & all(x <= 1.0)));
-        side(offset.x, UPPER[0]) & side(offset.y, UPPER[1]) & side(offset.z, UPPER[2])
+    fn reaching(&self, p: Vec3) -> u32 {
+        // Rounding is below a millionth of the cell.
+        self.reaches.holding(&all_lanes(p - self.centre), Lanes::splat(1e-6 * self.side as f32))
+    }
+}
+
+impl Reaches {
+    const NONE: Reaches =
+        Reaches { low: [Lanes::new([f32::INFINITY; 8]); 3], high: [Lanes::new([f32::NEG_INFINITY; 8]); 3] };
+
+    fn set(&mut self, slot: usize, low: Vec3, high: Vec3) {
+        let (low, high) = (low.as_vec3().to_array(), high.as_vec3().to_array());
+        for k in 0..3 {
+            self.low[k].as_mut_array()[slot] = low[k];
+            self.high[k].as_mut_array()[slot] = high[k];
+        }
+    }
+
+    /// Which of them hold a point, or nearly: a bit each.
+    #[inline]
+    fn holding(&self, place: &[Lanes; 3], slack: Lanes) -> u32 {
+        let within =
+            |k: usize| (self.low[k] - slack).simd_le(place[k]) & (self.high[k] + slack).simd_ge(place[k]);
+        (within(0) & within(1) & within(2)).to_bitmask()
     }
 }
 
@@ -187,10 +234,19 @@ impl Octree {
         let level = ((2.0 * radius).max(1e-12).log2().ceil() as i32).clamp(*LEVELS.start(), *LEVELS.end());
         let p = sample.p + SHIFT;
         let mut node = self.grow_around(p, level);
+        let mut way: SmallVec<[(u32, usize); 64]> = SmallVec::new();
         while self.nodes[node as usize].level > level {
-            node = self.child_at(node, p);
+            let (slot, child) = self.child_at(node, p);
+            way.push((node, slot));
+            node = child;
         }
         self.nodes[node as usize].push(sample, radius);
+        for (parent, slot) in way.into_iter().rev() {
+            let child = &self.nodes[node as usize];
+            let (next, below) = (child.entrance(node), child.all);
+            self.nodes[parent as usize].adopt(slot, node, next, &below);
+            node = parent;
+        }
     }
 
     /// Makes the root hold the point's cell of that level.
@@ -206,24 +262,23 @@ impl Octree {
                 return self.root;
             }
             let mut parent = Node::new(root.level + 1, root.index.map(|i| i >> 1));
-            parent.adopt(octant(root.index), self.root);
+            parent.adopt(octant(root.index), self.root, root.entrance(self.root), &root.all);
             self.root = self.nodes.len() as u32;
             self.nodes.push(parent);
         }
     }
 
-    fn child_at(&mut self, node: u32, p: Vec3) -> u32 {
+    /// The child in which a point lies, and its place.
+    fn child_at(&mut self, node: u32, p: Vec3) -> (usize, u32) {
         let level = self.nodes[node as usize].level - 1;
         let index = index_at(p, level);
         let slot = octant(index);
         let child = self.nodes[node as usize].children[slot];
         if child != NONE {
-            return child;
+            return (slot, child);
         }
-        let new = self.nodes.len() as u32;
         self.nodes.push(Node::new(level, index));
-        self.nodes[node as usize].adopt(slot, new);
-        new
+        (slot, self.nodes.len() as u32 - 1)
     }
 
     /// Visits every sample whose cell may reach the point, unless it plainly does not count there.
@@ -232,13 +287,13 @@ impl Octree {
             return;
         }
         let (p, asked) = (query.p + SHIFT, Asked::new(query));
-        let mut stack: SmallVec<[u32; 64]> = smallvec![self.root];
+        let mut stack: SmallVec<[u32; 64]> = smallvec![self.nodes[self.root as usize].entrance(self.root)];
         while let Some(top) = stack.pop() {
             let node = &self.nodes[top as usize];
             node.visit(p, &asked, &mut each);
-            let mut reaching = node.present & node.reaching(p);
+            let mut reaching = if node.is_leaf { 0 } else { node.reaching(p) };
             while reaching != 0 {
-                stack.push(node.children[reaching.trailing_zeros() as usize]);
+                stack.push(node.next[reaching.trailing_zeros() as usize]);
                 reaching &= reaching - 1;
             }
         }
