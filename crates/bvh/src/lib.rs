@@ -9,6 +9,7 @@
 #![warn(missing_docs)]
 
 mod build;
+mod cover;
 mod kernel;
 pub mod mesh;
 mod node;

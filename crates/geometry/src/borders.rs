@@ -1,5 +1,5 @@
 //! Planes among the members of the world, which all rays are asked about: in a row, without a call for each.
-use raggio_math::Ray;
+use raggio_math::{Ray, Vec3};
 
 use crate::index::Index;
 use crate::leaf::{Leaves, Prim};
@@ -40,6 +40,11 @@ impl Borders {
     /// How many planes there are.
     pub(crate) fn len(&self) -> usize {
         self.planes.len()
+    }
+
+    /// The normals and distances of all planes.
+    pub(crate) fn sides(&self) -> impl Iterator<Item = (Vec3, f64)> + '_ {
+        self.planes.iter().map(|border| border.plane.side())
     }
 
     /// Puts the nearest hit of the planes, for rays of the class whose bit is `class`, where it is wanted, and says

@@ -108,6 +108,16 @@ impl Index {
         }
     }
 
+    /// At most so many boxes around all members; `None` where one has no end.
+    pub(crate) fn cover(&self, most: usize) -> Option<Vec<Aabb>> {
+        let boxes = match self {
+            Index::Few(row) => row.cover(),
+            Index::Many { listed, .. } if !listed.is_empty() => return None,
+            Index::Many { bvh, .. } => bvh.cover(most),
+        };
+        boxes.iter().all(Aabb::is_finite).then_some(boxes)
+    }
+
     /// Visits members on the ray, near ones first as far as boxes tell; see [`Bvh::closest`]. The visitor is told the
     /// member, the distance beyond which nothing interests any more, and between where its box lies on the ray.
     #[inline]

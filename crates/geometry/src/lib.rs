@@ -13,6 +13,7 @@ mod inherit;
 mod leaf;
 mod materials;
 mod obstacles;
+mod outlook;
 mod probe;
 mod screen;
 mod shaft;

@@ -7,6 +7,7 @@ use smallvec::SmallVec;
 
 use crate::borders::Borders;
 use crate::flatten::{Flat, flatten};
+use crate::outlook::Outlook;
 use crate::probe::Probe;
 use crate::shaft::Shaft;
 use crate::shapes::ShapeKind;
@@ -208,7 +209,9 @@ pub struct Geometry {
     /// The outermost union.
     pub(crate) world: Group,
     /// What of it are planes.
-    borders: Borders,
+    pub(crate) borders: Borders,
+    /// Where all the rest is, if it has an end.
+    pub(crate) outlook: Option<Outlook>,
     /// All of the world, if it is a few simple leaves: asked without their boxes.
     pub(crate) few: Vec<Member>,
     /// Top-level members that contain points outside their boxes, sorted, with these.
@@ -246,6 +249,7 @@ impl Geometry {
             asks_uv: true,
             tree: Tree { leaves, groups },
             world,
+            outlook: Outlook::of(&borders.others),
             borders,
             few,
             overreaching,

@@ -3,7 +3,7 @@ mod fog;
 mod rainbow;
 mod sky;
 
-use raggio_math::Ray;
+use raggio_math::{Ray, Vec3};
 use raggio_scene::Scene;
 use raggio_shading::Noise;
 
@@ -38,7 +38,13 @@ impl Sky {
 
     /// What a ray sees that hits nothing.
     pub fn miss(&self, beam: &Beam<'_>) -> Seen {
-        self.dome.miss(beam.ray.dir, beam.alpha)
+        self.beyond(beam.ray.dir, beam.alpha)
+    }
+
+    /// What lies behind everything in a direction. `alpha`: transparency is kept.
+    #[inline]
+    pub fn beyond(&self, dir: Vec3, alpha: bool) -> Seen {
+        self.dome.miss(dir, alpha)
     }
 
     /// Lays the rainbows over what was seen at `depth`.

@@ -13,11 +13,19 @@ pub struct Dome {
     emission: Rgb,
     background: Option<Color>,
     modern: bool,
+    /// What is seen of it without transparency, where that is the same everywhere.
+    plain: Option<Seen>,
 }
 
 impl Dome {
     /// Makes the dome of a scene ready.
     pub fn new(scene: &Scene, noise: Noise) -> Dome {
+        let dome = Dome::layers(scene, noise);
+        let plain = dome.layers.is_empty().then(|| dome.miss(Vec3::Y, false));
+        Dome { plain, ..dome }
+    }
+
+    fn layers(scene: &Scene, noise: Noise) -> Dome {
         let sphere = scene.atmosphere.sky_sphere.as_ref();
         let layers = sphere.iter().flat_map(|s| s.pigments.iter().rev());
         Dome {
@@ -27,11 +35,21 @@ impl Dome {
             emission: sphere.map_or(Rgb::ONE, |s| s.emission),
             background: scene.atmosphere.background.map(|b| b.color),
             modern: scene.settings.version.effective >= 370,
+            plain: None,
         }
     }
 
     /// What is seen in a direction. `alpha`: transparency is kept.
+    #[inline]
     pub fn miss(&self, dir: Vec3, alpha: bool) -> Seen {
+        match self.plain {
+            Some(seen) if !alpha => seen,
+            _ => self.look(dir, alpha),
+        }
+    }
+
+    #[inline(never)]
+    fn look(&self, dir: Vec3, alpha: bool) -> Seen {
         if self.modern { self.layered(dir, alpha) } else { self.classic(dir, alpha) }
     }
 
@@ -90,7 +108,8 @@ mod tests {
     use super::*;
 
     fn dome(background: Option<[f64; 5]>, modern: bool) -> Dome {
-        Dome { layers: Vec::new(), emission: Rgb::ONE, background: background.map(Color::from_array), modern }
+        let background = background.map(Color::from_array);
+        Dome { layers: Vec::new(), emission: Rgb::ONE, background, modern, plain: None }
     }
 
     #[test]

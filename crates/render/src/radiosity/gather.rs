@@ -20,6 +20,8 @@ pub(super) struct Gather<'a> {
     weight: f32,
     /// Where they go, one for each.
     pub directions: Vec<Vec3>,
+    /// Which of them surely lead to the bare sky, as bits, if that is known.
+    open: Option<Vec<u8>>,
 }
 
 /// What a ray of a gather brings.
@@ -31,6 +33,14 @@ pub(super) struct Brought {
     light: Rgb,
     /// How well the light is known; 0 where none was asked for.
     quality: f32,
+}
+
+impl Gather<'_> {
+    /// Does ray number `i` surely lead to the bare sky?
+    #[inline]
+    fn is_open(&self, i: u32) -> bool {
+        self.open.as_ref().is_some_and(|open| open[i as usize / 8] >> (i % 8) & 1 == 1)
+    }
 }
 
 /// Sums over the rays of a gather.
@@ -57,6 +67,15 @@ impl Sums {
     }
 }
 
+impl Rules {
+    /// What counts at most of the light that a ray brings.
+    #[inline]
+    fn limited(&self, light: Rgb) -> Rgb {
+        let (most, brightest) = (self.settings.max_sample, light.max_element());
+        if most > 0.0 && brightest > most { light * (most / brightest) } else { light }
+    }
+}
+
 impl Tracer<'_> {
     /// Samples the light from all around and keeps the result; gives light and quality.
     pub(super) fn gather(&mut self, point: &SurfacePoint<'_>, n: Vec3, raw: Vec3) -> (Rgb, f32) {
@@ -72,7 +91,10 @@ impl Tracer<'_> {
         self.quality = self.quality.for_gather(settings.media);
         let weight = (settings.brightness / 2.0).powi(depth as i32 + 1).max(settings.adc_bailout);
         let directions = self.directions(n, raw, depth, rules.rays(depth));
-        let sums = self.shoot_around(&Gather { rules, point, n, weight, directions });
+        let world = self.world;
+        let bare = world.air.is_empty() && world.sky.is_clear() && !rules.uneven;
+        let open = bare.then(|| world.geometry.open_rays(point.surface.p, raw, &directions)).flatten();
+        let sums = self.shoot_around(&Gather { rules, point, n, weight, directions, open });
         (self.level, self.max_level, self.bailout, self.quality) = before;
         let Some(state) = self.radiosity.as_mut() else { return (Rgb::ZERO, 0.0) };
         state.depth = depth;
@@ -94,6 +116,10 @@ impl Tracer<'_> {
         };
         let guesses = self.look_ahead(gather);
         for (i, &dir) in (0..).zip(&gather.directions) {
+            if gather.is_open(i) {
+                sums.add(dir, &self.bare_ray(gather, dir));
+                continue;
+            }
             let foreseen = guesses.as_ref().and_then(|guesses| self.foreseen(guesses, i));
             let brought = foreseen.unwrap_or_else(|| self.gather_ray(gather, i));
             sums.add(dir, &brought);
@@ -122,6 +148,9 @@ impl Tracer<'_> {
     pub(super) fn gather_ray(&mut self, gather: &Gather<'_>, i: u32) -> Brought {
         let Gather { rules, point, directions, .. } = gather;
         let ray = Ray::new(point.surface.p, directions[i as usize]);
+        if gather.is_open(i) {
+            return self.bare_ray(gather, ray.dir);
+        }
         let beam = Beam {
             ray: &ray,
             interiors: &[],
@@ -155,13 +184,16 @@ impl Tracer<'_> {
             }
         }
         self.set_ray_quality(1.0);
-        let mut light = self.follow(&beam, hit, false).rgb();
+        let light = rules.limited(self.follow(&beam, hit, false).rgb());
         quality *= self.radiosity.as_ref().map_or(1.0, |s| s.ray_quality);
-        let brightest = light.max_element();
-        if rules.settings.max_sample > 0.0 && brightest > rules.settings.max_sample {
-            light *= rules.settings.max_sample / brightest;
-        }
         Brought { distance, light: light * quality, quality }
+    }
+
+    /// What a ray brings that leads to the bare sky.
+    #[inline]
+    fn bare_ray(&self, gather: &Gather<'_>, dir: Vec3) -> Brought {
+        let light = gather.rules.limited(self.world.sky.beyond(dir, false).rgb());
+        Brought { distance: None, light, quality: 1.0 }
     }
 
     fn set_ray_quality(&mut self, quality: f32) {
