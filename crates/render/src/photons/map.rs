@@ -2,9 +2,10 @@
 //!
 //! The tree is built as in POV-Ray, with the photons that its search cannot find, so that pictures agree.
 use std::f64::consts::PI;
+use std::sync::LazyLock;
 
 use raggio_image::Rgb;
-use raggio_math::Vec3;
+use raggio_math::{Vec2, Vec3};
 
 use super::Photon;
 use super::search::Index;
@@ -19,11 +20,18 @@ pub struct PhotonMap {
     pub radius: f64,
 }
 
-/// A box around photons.
-struct Bounds {
-    low: [f32; 3],
-    high: [f32; 3],
+/// Where a photon is, and which it is; less to move about than all of it.
+#[derive(Clone, Copy)]
+struct Place {
+    p: [f32; 3],
+    number: u32,
 }
+
+/// A photon that searches on one side of a plane do not find: its number, the axis, and where the plane is.
+type Shy = (u32, u8, f32);
+
+/// Parts of the tree with so many photons are worth a thread's while.
+const PART: usize = 1 << 14;
 
 impl Photon {
     /// A photon of that power, rounded as it will be kept.
@@ -52,49 +60,26 @@ fn coarse(power: Rgb) -> Rgb {
 /// A direction as two angles of a signed byte each.
 fn coarse_direction(w: Vec3) -> Vec3 {
     let flat = w.x.hypot(w.z);
-    let byte = |angle: f64| (angle * 127.0 / PI).trunc() * PI / 127.0;
+    let step = |angle: f64| DIRECTIONS[((angle * 127.0 / PI).trunc() + 127.0) as usize];
     let phi = if flat > 0.0 { (w.x / flat).clamp(-1.0, 1.0).acos().copysign(w.z) } else { 0.0 };
     let theta = flat.min(1.0).acos().copysign(w.y);
-    let (phi, theta) = (byte(phi), byte(theta));
-    Vec3::new(theta.cos() * phi.cos(), theta.sin(), theta.cos() * phi.sin())
+    let (phi, theta) = (step(phi), step(theta));
+    Vec3::new(theta.x * phi.x, theta.y, theta.x * phi.y)
 }
+
+/// Cosines and sines of the angles that a signed byte holds, from minus half a turn to half a turn.
+static DIRECTIONS: LazyLock<[Vec2; 255]> =
+    LazyLock::new(|| std::array::from_fn(|i| Vec2::from_angle((i as f64 - 127.0) * PI / 127.0)));
 
 impl PhotonMap {
     /// A map of photons in the order in which they were stored.
     pub fn new(photons: Vec<Photon>) -> PhotonMap {
-        let mut map = PhotonMap { photons, ..PhotonMap::default() };
-        let mut shy = Vec::new();
-        let mut ranges = Vec::new();
-        if !map.photons.is_empty() {
-            ranges.push((0, map.photons.len() - 1));
-        }
-        while let Some((s, e)) = ranges.pop() {
-            let bounds = map.bounds(s, e);
-            let size = |k: usize| bounds.high[k] - bounds.low[k];
-            let axis = (1..3).fold(0, |best, k| if size(k) > size(best) { k } else { best });
-            let mid = (s + e) / 2;
-            match e - s {
-                0 => {}
-                // Two are left as they are, which is why some photons are never found.
-                1 => {
-                    let plane = map.photons[s].p[axis];
-                    if map.photons[e].p[axis] < plane {
-                        shy.push((e as u32, axis as u8, plane));
-                    }
-                }
-                _ => map.select(s, e, mid, axis),
-            }
-            if mid > s {
-                ranges.push((s, mid - 1));
-            }
-            if e > mid {
-                ranges.push((mid + 1, e));
-            }
-        }
-        shy.sort_unstable_by_key(|s| s.0);
-        let places: Vec<[f32; 3]> = map.photons.iter().map(|photon| photon.p).collect();
-        map.index = Index::new(&places, shy);
-        map
+        let place = |(number, photon): (u32, &Photon)| Place { p: photon.p, number };
+        let mut places: Vec<Place> = (0..).zip(&photons).map(place).collect();
+        let shy = arrange(&mut places, 0);
+        let photons = places.iter().map(|place| photons[place.number as usize]).collect();
+        let places: Vec<[f32; 3]> = places.iter().map(|place| place.p).collect();
+        PhotonMap { photons, index: Index::new(&places, shy), radius: 0.0 }
     }
 
     /// Is there nothing?
@@ -112,57 +97,6 @@ impl PhotonMap {
         &self.photons[number as usize]
     }
 
-    fn bounds(&self, s: usize, e: usize) -> Bounds {
-        let (mut min, mut max) = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
-        for photon in &self.photons[s..=e] {
-            for k in 0..3 {
-                min[k] = min[k].min(photon.p[k]);
-                max[k] = max[k].max(photon.p[k]);
-            }
-        }
-        Bounds { low: min, high: max }
-    }
-
-    /// Moves the photon that belongs at `mid` there, lesser ones before it (Hoare's selection with the pivot of three).
-    fn select(&mut self, mut l: usize, mut r: usize, mid: usize, axis: usize) {
-        while l < r {
-            let p = &mut self.photons;
-            p.swap((l + r) / 2, l + 1);
-            if p[l + 1].p[axis] > p[r].p[axis] {
-                p.swap(l + 1, r);
-            }
-            if p[l].p[axis] > p[r].p[axis] {
-                p.swap(l, r);
-            }
-            if p[l + 1].p[axis] > p[l].p[axis] {
-                p.swap(l + 1, l);
-            }
-            let pivot = p[l].p[axis];
-            let (mut j, mut k) = (l + 1, r);
-            while j <= k {
-                j += 1;
-                while j <= r && p[j].p[axis] < pivot {
-                    j += 1;
-                }
-                k -= 1;
-                while k >= l && p[k].p[axis] > pivot {
-                    k -= 1;
-                }
-                if j < k {
-                    p.swap(j, k);
-                }
-            }
-            p.swap(l, k);
-            if k > l && mid < k {
-                r = k - 1;
-            } else if k < r && k < mid {
-                l = k + 1;
-            } else {
-                return;
-            }
-        }
-    }
-
     /// Finds the nearest photons within a radius of a point; see [`Nearest::search`].
     pub fn search(
         &self,
@@ -173,6 +107,86 @@ impl PhotonMap {
         nearest: &mut Nearest,
     ) {
         nearest.search(&self.index, place, radius, max, likely);
+    }
+}
+
+/// Puts photons, the first of which has the number `start`, in the order of the tree. Gives the shy ones by number.
+fn arrange(places: &mut [Place], start: u32) -> Vec<Shy> {
+    if places.len() < 2 {
+        return Vec::new();
+    }
+    let axis = widest(places);
+    // Two are left as they are, which is why some photons are never found.
+    if let [first, second] = places {
+        let plane = first.p[axis];
+        return if second.p[axis] < plane { vec![(start + 1, axis as u8, plane)] } else { Vec::new() };
+    }
+    let middle = (places.len() - 1) / 2;
+    select(places, middle, axis);
+    let is_large = places.len() > PART;
+    let (left, right) = places.split_at_mut(middle);
+    let left = || arrange(left, start);
+    let right = || arrange(&mut right[1..], start + middle as u32 + 1);
+    let (mut shy, more) = if is_large { rayon::join(left, right) } else { both(left, right) };
+    shy.extend(more);
+    shy
+}
+
+/// One after the other.
+fn both<T>(first: impl FnOnce() -> T, second: impl FnOnce() -> T) -> (T, T) {
+    (first(), second())
+}
+
+/// The axis along which photons are spread most.
+fn widest(places: &[Place]) -> usize {
+    let (mut low, mut high) = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
+    for place in places {
+        for k in 0..3 {
+            low[k] = low[k].min(place.p[k]);
+            high[k] = high[k].max(place.p[k]);
+        }
+    }
+    let size = |k: usize| high[k] - low[k];
+    (1..3).fold(0, |best, k| if size(k) > size(best) { k } else { best })
+}
+
+/// Moves the photon that belongs in the middle there, lesser ones before it (Hoare's selection with the pivot of three).
+fn select(p: &mut [Place], middle: usize, axis: usize) {
+    let (mut l, mut r) = (0, p.len() - 1);
+    while l < r {
+        p.swap((l + r) / 2, l + 1);
+        if p[l + 1].p[axis] > p[r].p[axis] {
+            p.swap(l + 1, r);
+        }
+        if p[l].p[axis] > p[r].p[axis] {
+            p.swap(l, r);
+        }
+        if p[l + 1].p[axis] > p[l].p[axis] {
+            p.swap(l + 1, l);
+        }
+        let pivot = p[l].p[axis];
+        let (mut j, mut k) = (l + 1, r);
+        while j <= k {
+            j += 1;
+            while j <= r && p[j].p[axis] < pivot {
+                j += 1;
+            }
+            k -= 1;
+            while k >= l && p[k].p[axis] > pivot {
+                k -= 1;
+            }
+            if j < k {
+                p.swap(j, k);
+            }
+        }
+        p.swap(l, k);
+        if k > l && middle < k {
+            r = k - 1;
+        } else if k < r && k < middle {
+            l = k + 1;
+        } else {
+            return;
+        }
     }
 }
 
