@@ -37,6 +37,11 @@ impl Bounds {
         }
     }
 
+    #[inline(always)]
+    fn grow_to(&mut self, point: [f32; 4]) {
+        self.grow(&Bounds { lo: point, hi: point });
+    }
+
     /// A box around both.
     #[inline(always)]
     pub(super) fn joined(mut self, other: &Bounds) -> Bounds {
@@ -162,12 +167,15 @@ impl Binning {
     /// falls into any bin that there is.
     #[inline(always)]
     fn bins(&self, prim: &Prim) -> [u32; 4] {
-        let (c, mut bins) = (prim.twice_centre(), [0; 4]);
-        for k in 0..4 {
-            let bin = (c[k] - self.offset[k]) * self.scale[k] + 131_072.0;
-            bins[k] = bin.to_bits() >> 6 & (BINS as u32 - 1);
-        }
-        bins
+        [0, 1, 2, 3].map(|axis| self.bin(prim, axis))
+    }
+
+    /// The bin of one axis.
+    #[inline(always)]
+    fn bin(&self, prim: &Prim, axis: usize) -> u32 {
+        let c = prim.0.lo[axis] + prim.0.hi[axis];
+        let bin = (c - self.offset[axis]) * self.scale[axis] + 131_072.0;
+        bin.to_bits() >> 6 & (BINS as u32 - 1)
     }
 }
 
@@ -270,20 +278,21 @@ fn best_cut<C: Cost>(prims: &[Prim], run: &Run, bins: &mut Bins) -> Option<Cut> 
     prims.par_chunks(CHUNK).map(of).reduce(|| Bins::EMPTY, Bins::joined).best_cut::<C>(&binning)
 }
 
+/// What goes first is put first. Each primitive is swapped with the first of those that come after, and that stands one
+/// farther if it goes first: nobody could foresee a branch.
 fn partition(prims: &mut [Prim], cut: &Cut) -> (Run, Run) {
     let mut centres = [Bounds::EMPTY; 2];
-    let (mut start, mut end) = (0, prims.len());
-    while start < end {
-        let prim = prims[start];
-        let c = prim.twice_centre();
-        if (cut.binning.bins(&prim)[cut.axis] as usize) < cut.bin {
-            centres[0].grow(&Bounds { lo: c, hi: c });
-            start += 1;
-        } else {
-            centres[1].grow(&Bounds { lo: c, hi: c });
-            end -= 1;
-            (prims[start], prims[end]) = (prims[end], prim);
-        }
+    let mut start = 0;
+    for i in 0..prims.len() {
+        let prim = prims[i];
+        prims[i] = prims[start];
+        prims[start] = prim;
+        let first = (cut.binning.bin(&prim, cut.axis) as usize) < cut.bin;
+        start += usize::from(first);
+        // What is not a number makes no box larger.
+        let (c, mask) = (prim.twice_centre(), u32::from(first).wrapping_neg());
+        centres[0].grow_to(c.map(|c| f32::from_bits(c.to_bits() | !mask)));
+        centres[1].grow_to(c.map(|c| f32::from_bits(c.to_bits() | mask)));
     }
     let (first, second) = prims.split_at(start);
     let run = |side: usize, prims: &[Prim]| match cut.sides[side] {
