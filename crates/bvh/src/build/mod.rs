@@ -47,14 +47,8 @@ pub(crate) trait Leaves: Cost + Sync {
     /// How long the list of leaves becomes at most, or nearly always, for so many primitives.
     fn room(&self, count: usize) -> usize;
 
-    /// Is there room in a leaf for all of these? There always is for two.
-    fn fits(&self, prims: &[Prim]) -> bool;
-
-    /// Appends a leaf and returns its child word.
-    fn add(&self, prims: &[Prim], leaves: &mut Vec<Self::Leaf>) -> u32;
-
-    /// The word of a leaf before which `by` others have been put.
-    fn moved(word: u32, by: usize) -> u32;
+    /// A leaf of all of these, if there is room in one. There always is for two.
+    fn leaf(&self, prims: &[Prim]) -> Option<Self::Leaf>;
 }
 
 /// Nodes and leaves in the making, or a part of them. The root is the first node.
@@ -90,13 +84,18 @@ fn build_by<L: Leaves>(kind: &L, mut prims: Vec<Prim>, chunk: usize) -> (Tree<L:
 
 /// Appends the tree over some primitives, which lies at this depth. Returns the root's word.
 fn whole<L: Leaves>(kind: &L, prims: &mut [Prim], depth: usize, tree: &mut Tree<L::Leaf>) -> u32 {
-    let binary = improved(Cutter { kind, limit: 0 }, prims, depth);
-    Writer::all(kind, &binary, prims, tree)
+    let binary = improved(Cutter { kind, limit: 0 }, prims, depth, &mut tree.leaves);
+    Writer::all(&binary, &mut tree.nodes)
 }
 
-/// The binary tree over some primitives, ready to be written down.
-fn improved<L: Leaves>(cutter: Cutter<L>, prims: &mut [Prim], depth: usize) -> Binary {
-    let mut binary = cutter.tree(prims, depth);
+/// The binary tree over some primitives, ready to be written down. Its leaves are appended.
+fn improved<L: Leaves>(
+    cutter: Cutter<L>,
+    prims: &mut [Prim],
+    depth: usize,
+    leaves: &mut Vec<L::Leaf>,
+) -> Binary {
+    let mut binary = cutter.tree(prims, depth, leaves);
     binary.reinsert(depth);
     binary.price(ROOT);
     binary
@@ -104,13 +103,13 @@ fn improved<L: Leaves>(cutter: Cutter<L>, prims: &mut [Prim], depth: usize) -> B
 
 /// Builds a large tree, and gives the memory of `prims` back on the way.
 fn chunks<L: Leaves>(kind: &L, mut prims: Vec<Prim>, most: usize, tree: &mut Tree<L::Leaf>) {
-    let top = improved(Cutter { kind, limit: most }, &mut prims, 0);
-    let mut waiting = Writer::top(kind, &top, tree);
+    let top = improved(Cutter { kind, limit: most }, &mut prims, 0, &mut tree.leaves);
+    let mut waiting = Writer::top(&top, &mut tree.nodes);
     waiting.sort_unstable_by_key(|chunk| top.node(chunk.binary).start);
     for chunk in waiting.into_iter().rev() {
         let start = top.node(chunk.binary).start as usize;
         let word = whole(kind, &mut prims[start..], top.depth(chunk.binary), tree);
-        chunk.arrived(tree, word);
+        chunk.arrived(&mut tree.nodes, word);
         prims.truncate(start);
         prims.shrink_to_fit();
     }
@@ -127,19 +126,18 @@ impl<T> Tree<T> {
         pages::ask_for_large(&self.nodes);
         pages::ask_for_large(&self.leaves);
     }
+}
 
-    /// Takes all of another tree, leaving that its memory, and returns the word of its root. `moved` gives the word of a
-    /// leaf before which so many others have been put.
-    fn append(&mut self, other: &mut Tree<T>, root: u32, moved: impl Fn(u32, usize) -> u32) -> u32 {
-        let (nodes, leaves) = (self.nodes.len() as u32, self.leaves.len());
-        let moved = |word: u32| if word & Child::LEAF == 0 { word + nodes } else { moved(word, leaves) };
-        for word in other.nodes.iter_mut().flat_map(|node| &mut node.child) {
-            *word = moved(*word);
-        }
-        self.nodes.append(&mut other.nodes);
-        self.leaves.append(&mut other.leaves);
-        moved(root)
+/// Appends other nodes, leaving these their memory, and returns what has become of the word of their root. `moved` gives
+/// the word of a leaf that has moved.
+fn append(nodes: &mut Vec<Node>, others: &mut Vec<Node>, root: u32, moved: impl Fn(u32) -> u32) -> u32 {
+    let by = nodes.len() as u32;
+    let moved = |word: u32| if word & Child::LEAF == 0 { word + by } else { moved(word) };
+    for word in others.iter_mut().flat_map(|node| &mut node.child) {
+        *word = moved(*word);
     }
+    nodes.append(others);
+    moved(root)
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! The leaves: blocks of a few triangles. Those of most meshes share their corners, which are kept once, so that six of
 //! them take two lines of the processor's cache. Where triangles hang together nowhere, four keep their corners each.
 
+use super::corners::Corners;
 use crate::build::Bounds;
 
 /// Most triangles in a shared block. Six that hang together edge by edge have eight points at most.
@@ -158,27 +159,18 @@ impl Block for Shared {
 
     /// Corners that lie in one place are one point.
     fn of(triangles: impl Iterator<Item = (u32, [u32; 3])>, vertices: &[[f32; 3]]) -> Option<Shared> {
-        let mut block = Shared { place: [[0.0; POINTS]; 3], triangle: [u32::MAX; SHARED], corner: [0; 2] };
-        let mut known = [u32::MAX; POINTS];
-        let mut points = 0;
-        for (lane, (triangle, corners)) in triangles.enumerate() {
-            block.triangle[lane] = triangle;
-            for (k, &vertex) in corners.iter().enumerate() {
-                let point = match known[..points].iter().position(|&other| other == vertex) {
-                    Some(point) => point,
-                    None => {
-                        let point = block.find(points, vertices[vertex as usize])?;
-                        if point == points {
-                            (known[point], points) = (vertex, points + 1);
-                        }
-                        point
-                    }
-                };
-                let (word, up) = Shared::bits(lane, k);
-                block.corner[word] |= (point as u32) << up;
-            }
+        let (mut triangle, mut corner) = ([u32::MAX; SHARED], [0; 2]);
+        let mut corners = Corners::NONE;
+        for ((number, vertex), own) in triangles.zip(&mut triangle) {
+            *own = number;
+            vertex.iter().for_each(|&vertex| corners.push(vertices[vertex as usize]));
         }
-        Some(block)
+        let (place, point) = corners.points()?;
+        for (i, &point) in point.iter().enumerate() {
+            let (word, up) = Shared::bits(i / 3, i % 3);
+            corner[word] |= u32::from(point) << up;
+        }
+        Some(Shared { place, triangle, corner })
     }
 
     #[inline(always)]
@@ -203,19 +195,6 @@ impl Block for Shared {
 }
 
 impl Shared {
-    /// The point that lies in a place, a new one after `points` others where there is none, if there is room.
-    fn find(&mut self, points: usize, p: [f32; 3]) -> Option<usize> {
-        let same = |i: usize| (0..3).all(|axis| self.place[axis][i].to_bits() == p[axis].to_bits());
-        if let Some(point) = (0..points).find(|&i| same(i)) {
-            return Some(point);
-        }
-        if points == POINTS {
-            return None;
-        }
-        self.put(points, p);
-        Some(points)
-    }
-
     fn put(&mut self, point: usize, p: [f32; 3]) {
         for (row, value) in self.place.iter_mut().zip(p) {
             row[point] = value;
