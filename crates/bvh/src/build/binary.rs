@@ -1,5 +1,6 @@
 //! The tree in the making, with two children a node: cut from above by the surface area heuristic.
-use super::bins::{Bins, Bounds, Prim, Run, split};
+use super::bins::{Bins, split};
+use super::prims::{Bounds, Prim, Run};
 use super::{LARGE, Leaves, SAH_DEPTH};
 
 /// Marks what has no parent, and leaves by their first child.

@@ -6,8 +6,9 @@
 //! back on the way. Threads share the work and change nothing of the result.
 use rayon::prelude::*;
 
-use super::bins::{Bins, Prim, Run, split};
+use super::bins::{Bins, split};
 use super::boxes::Runs;
+use super::prims::{Prim, Run};
 use super::{BATCH, LARGE, PARTS, SMALL, Tree, append};
 use crate::node::{Child, Node, WIDTH};
 

@@ -12,15 +12,17 @@ mod collapse;
 mod eight;
 mod emit;
 mod pages;
+mod prims;
 mod reinsert;
 
 use crate::node::{Child, Node};
 use binary::{Binary, Cutter, ROOT};
-use bins::Run;
-pub(crate) use bins::{Bounds, Cost, Prim};
+pub(crate) use bins::Cost;
 pub use boxes::Built;
 pub(crate) use eight::MAX_DEPTH as BOXES_DEPTH;
 use emit::Writer;
+use prims::Run;
+pub(crate) use prims::{Bounds, Prim};
 
 /// Deeper subtrees are cut in the middle, which halves them at each level.
 const SAH_DEPTH: usize = 64;

@@ -1,7 +1,9 @@
 //! The leaves: blocks of a few triangles. Those of most meshes share their corners, which are kept once, so that six of
 //! them take two lines of the processor's cache. Where triangles hang together nowhere, four keep their corners each.
 
-use super::corners::Corners;
+use raggio_math::wide;
+
+use super::corners::{Corners, Points};
 use crate::build::Bounds;
 
 /// Most triangles in a shared block. Six that hang together edge by edge have eight points at most.
@@ -160,13 +162,18 @@ impl Block for Shared {
     /// Corners that lie in one place are one point.
     fn of(triangles: impl Iterator<Item = (u32, [u32; 3])>, vertices: &[[f32; 3]]) -> Option<Shared> {
         let (mut triangle, mut corner) = ([u32::MAX; SHARED], [0; 2]);
-        let mut corners = Corners::NONE;
-        for ((number, vertex), own) in triangles.zip(&mut triangle) {
-            *own = number;
-            vertex.iter().for_each(|&vertex| corners.push(vertices[vertex as usize]));
+        let mut corners = Corners::all_at([0.0; 3]);
+        for (lane, (number, vertex)) in triangles.enumerate() {
+            if lane == 0 {
+                corners = Corners::all_at(vertices[vertex[0] as usize]);
+            }
+            triangle[lane] = number;
+            for k in 0..3 {
+                corners.set(3 * lane + k, vertices[vertex[k] as usize]);
+            }
         }
-        let (place, point) = corners.points()?;
-        for (i, &point) in point.iter().enumerate() {
+        let Points { place, which } = wide(&corners)?;
+        for (i, &point) in which.iter().enumerate() {
             let (word, up) = Shared::bits(i / 3, i % 3);
             corner[word] |= u32::from(point) << up;
         }
