@@ -66,9 +66,18 @@ struct Part<T> {
 }
 
 impl<L: Leaves> Cutter<'_, L> {
-    /// Cuts a list of primitives, and appends the leaves as it comes to them. `depth` is what lies above.
-    pub(super) fn tree(&self, prims: &mut [Prim], depth: usize, leaves: &mut Vec<L::Leaf>) -> Binary {
-        let mut part = self.part(prims.len(), std::mem::take(leaves));
+    /// Cuts a list of primitives, and appends the leaves as it comes to them. `depth` is what lies above; the tree takes the
+    /// place of another that is wanted no more.
+    pub(super) fn tree(
+        &self,
+        prims: &mut [Prim],
+        depth: usize,
+        other: Binary,
+        leaves: &mut Vec<L::Leaf>,
+    ) -> Binary {
+        let mut part = Part { nodes: other.nodes, leaves: std::mem::take(leaves), bins: Bins::EMPTY };
+        part.nodes.clear();
+        part.nodes.reserve(2 * self.kind.room(prims.len()));
         self.cut(prims, &Run::of(prims), 0, depth, &mut part);
         *leaves = part.leaves;
         let mut tree = Binary { nodes: part.nodes };
@@ -78,11 +87,6 @@ impl<L: Leaves> Cutter<'_, L> {
             }
         }
         tree
-    }
-
-    /// A part with room for so many primitives.
-    fn part(&self, len: usize, leaves: Vec<L::Leaf>) -> Part<L::Leaf> {
-        Part { nodes: Vec::with_capacity(2 * self.kind.room(len)), leaves, bins: Bins::EMPTY }
     }
 
     /// The leaf of a run that is not cut further.
@@ -117,7 +121,8 @@ impl<L: Leaves> Cutter<'_, L> {
             let a = self.cut(first, &left, start, depth, part);
             [a, self.cut(second, &right, middle, depth, part)]
         } else {
-            let mut other = self.part(right.len, Vec::new());
+            let mut other = Part::NONE;
+            other.nodes.reserve(2 * self.kind.room(right.len));
             let (a, b) = rayon::join(
                 || self.cut(first, &left, start, depth, part),
                 || self.cut(second, &right, middle, depth, &mut other),
@@ -132,6 +137,8 @@ impl<L: Leaves> Cutter<'_, L> {
 }
 
 impl<T> Part<T> {
+    const NONE: Part<T> = Part { nodes: Vec::new(), leaves: Vec::new(), bins: Bins::EMPTY };
+
     /// Takes all of another part, and says where its root is now.
     fn append(&mut self, mut other: Part<T>, root: u32) -> u32 {
         let (nodes, leaves) = (self.nodes.len() as u32, self.leaves.len() as u32);
@@ -147,6 +154,15 @@ impl<T> Part<T> {
 }
 
 impl Binary {
+    pub(super) const NONE: Binary = Binary { nodes: Vec::new() };
+
+    /// Ready to be written down: nodes are moved, and how they are best opened is known. `depth` is what lies above.
+    pub(super) fn improved(mut self, depth: usize) -> Binary {
+        self.reinsert(depth);
+        self.price(ROOT);
+        self
+    }
+
     #[inline(always)]
     pub(super) fn node(&self, i: u32) -> &Branch {
         &self.nodes[i as usize]

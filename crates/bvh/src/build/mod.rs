@@ -16,7 +16,7 @@ mod prims;
 mod reinsert;
 
 use crate::node::{Child, Node};
-use binary::{Binary, Cutter, ROOT};
+use binary::{Binary, Cutter};
 pub(crate) use bins::Cost;
 pub use boxes::Built;
 pub(crate) use eight::MAX_DEPTH as BOXES_DEPTH;
@@ -73,7 +73,7 @@ fn build_by<L: Leaves>(kind: &L, mut prims: Vec<Prim>, chunk: usize) -> (Tree<L:
     }
     tree.reserve(all.len / (2 * kind.size()) + 1, kind.room(all.len));
     if all.len <= chunk {
-        whole(kind, &mut prims, 0, &mut tree);
+        whole(kind, &mut prims, 0, &mut tree, Binary::NONE);
     } else {
         chunks(kind, prims, chunk, &mut tree);
     }
@@ -84,33 +84,30 @@ fn build_by<L: Leaves>(kind: &L, mut prims: Vec<Prim>, chunk: usize) -> (Tree<L:
     (tree, all.bounds)
 }
 
-/// Appends the tree over some primitives, which lies at this depth. Returns the root's word.
-fn whole<L: Leaves>(kind: &L, prims: &mut [Prim], depth: usize, tree: &mut Tree<L::Leaf>) -> u32 {
-    let binary = improved(Cutter { kind, limit: 0 }, prims, depth, &mut tree.leaves);
-    Writer::all(&binary, &mut tree.nodes)
-}
-
-/// The binary tree over some primitives, ready to be written down. Its leaves are appended.
-fn improved<L: Leaves>(
-    cutter: Cutter<L>,
+/// Appends the tree over some primitives, which lies at this depth. Returns the root's word, and the binary tree, in whose
+/// place the next may come: fresh memory takes long to get.
+fn whole<L: Leaves>(
+    kind: &L,
     prims: &mut [Prim],
     depth: usize,
-    leaves: &mut Vec<L::Leaf>,
-) -> Binary {
-    let mut binary = cutter.tree(prims, depth, leaves);
-    binary.reinsert(depth);
-    binary.price(ROOT);
-    binary
+    tree: &mut Tree<L::Leaf>,
+    other: Binary,
+) -> (u32, Binary) {
+    let binary = Cutter { kind, limit: 0 }.tree(prims, depth, other, &mut tree.leaves).improved(depth);
+    (Writer::all(&binary, &mut tree.nodes), binary)
 }
 
 /// Builds a large tree, and gives the memory of `prims` back on the way.
 fn chunks<L: Leaves>(kind: &L, mut prims: Vec<Prim>, most: usize, tree: &mut Tree<L::Leaf>) {
-    let top = improved(Cutter { kind, limit: most }, &mut prims, 0, &mut tree.leaves);
+    let cutter = Cutter { kind, limit: most };
+    let top = cutter.tree(&mut prims, 0, Binary::NONE, &mut tree.leaves).improved(0);
+    let mut binary = Binary::NONE;
     let mut waiting = Writer::top(&top, &mut tree.nodes);
     waiting.sort_unstable_by_key(|chunk| top.node(chunk.binary).start);
     for chunk in waiting.into_iter().rev() {
         let start = top.node(chunk.binary).start as usize;
-        let word = whole(kind, &mut prims[start..], top.depth(chunk.binary), tree);
+        let word;
+        (word, binary) = whole(kind, &mut prims[start..], top.depth(chunk.binary), tree, binary);
         chunk.arrived(&mut tree.nodes, word);
         prims.truncate(start);
         prims.shrink_to_fit();

@@ -1,5 +1,5 @@
 //! Laws of the meshes' builder, with leaves of two boxes.
-use super::binary::NONE;
+use super::binary::{NONE, ROOT};
 use super::*;
 use crate::node::WIDTH;
 
@@ -83,7 +83,7 @@ fn surface(tree: &Binary) -> f32 {
 
 #[test]
 fn moved_nodes_make_less_surface_and_leave_a_tree() {
-    let mut tree = Cutter { kind: &Pairs, limit: 0 }.tree(&mut boxes(3000), 0, &mut Vec::new());
+    let mut tree = Cutter { kind: &Pairs, limit: 0 }.tree(&mut boxes(3000), 0, Binary::NONE, &mut Vec::new());
     let before = surface(&tree);
     tree.reinsert(0);
     assert!(surface(&tree) < 0.97 * before, "{} {before}", surface(&tree));
@@ -102,7 +102,7 @@ fn moved_nodes_make_less_surface_and_leave_a_tree() {
 /// A tree as high as may be grows no higher.
 #[test]
 fn moves_keep_to_the_bound_of_the_depth() {
-    let mut tree = Cutter { kind: &Pairs, limit: 0 }.tree(&mut boxes(3000), 0, &mut Vec::new());
+    let mut tree = Cutter { kind: &Pairs, limit: 0 }.tree(&mut boxes(3000), 0, Binary::NONE, &mut Vec::new());
     let height = tree.nodes[0].height as usize;
     tree.reinsert(MESH_DEPTH - height);
     assert!(tree.nodes[0].height as usize <= height);
@@ -132,7 +132,8 @@ fn cost_of(tree: &Binary, kept: u32) -> Option<f32> {
 #[test]
 fn no_other_way_to_open_a_tree_is_cheaper() {
     for count in [3, 14, 17, 20, 23] {
-        let mut tree = Cutter { kind: &Pairs, limit: 0 }.tree(&mut boxes(count), 0, &mut Vec::new());
+        let mut tree =
+            Cutter { kind: &Pairs, limit: 0 }.tree(&mut boxes(count), 0, Binary::NONE, &mut Vec::new());
         let inner = tree.nodes.iter().filter(|node| !node.is_leaf()).count();
         assert!(inner < 16);
         let least = (0..1 << inner).filter_map(|kept| cost_of(&tree, kept)).fold(f32::INFINITY, f32::min);
