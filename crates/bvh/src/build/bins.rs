@@ -183,14 +183,14 @@ impl<C: Cost> Wide for Find<'_, C> {
 }
 
 /// Puts what goes first first. Returns how much that is, and bounds of twice the centres of both sides.
-struct Part<'a> {
+struct Partition<'a> {
     prims: &'a mut [Prim],
     binning: &'a Binning,
     axis: usize,
     bin: usize,
 }
 
-impl Wide for Part<'_> {
+impl Wide for Partition<'_> {
     type Output = (usize, [Bounds; 2]);
 
     /// Each primitive is swapped with the first of those that come after, and that stands one farther if it goes first:
@@ -242,7 +242,7 @@ fn best_cut<C: Cost>(prims: &[Prim], binning: &Binning, bins: &mut Bins) -> Opti
 }
 
 fn partition(prims: &mut [Prim], cut: &Cut, binning: &Binning) -> (Run, Run) {
-    let (start, centres) = wide(Part { prims, binning, axis: cut.axis, bin: cut.bin });
+    let (start, centres) = wide(Partition { prims, binning, axis: cut.axis, bin: cut.bin });
     let (first, second) = prims.split_at(start);
     let run = |side: usize, prims: &[Prim]| match cut.sides[side] {
         (bounds, count) if count as usize == prims.len() => {

@@ -76,6 +76,19 @@ fn every_primitive_is_in_one_leaf_and_in_all_boxes_above() {
     }
 }
 
+/// One thread alone makes one list of nodes, several make parts of it.
+#[test]
+#[cfg_attr(miri, ignore = "takes hours there")]
+fn the_tree_is_the_same_for_any_number_of_threads() {
+    let built = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
+        let (tree, _) = pool.install(|| build_by(&Pairs, boxes(60_000), 50_000));
+        let nodes: Vec<_> = tree.nodes.iter().map(|node| (node.bounds, node.child)).collect();
+        (nodes, tree.leaves)
+    };
+    assert!(built(1) == built(3));
+}
+
 /// The surface of all inner nodes.
 fn surface(tree: &Binary) -> f32 {
     tree.nodes.iter().filter(|node| !node.is_leaf()).map(|node| node.area()).sum()
