@@ -19,6 +19,7 @@ pub(crate) const POINTS: usize = 8;
 pub(crate) const MOST_CORNERS: usize = 3 * SHARED;
 
 /// Most points in a block of any kind.
+#[cfg_attr(not(target_arch = "x86_64"), allow(dead_code))]
 pub(crate) const MOST_POINTS: usize = 3 * LOOSE;
 
 /// How far the third corner of the first four lanes is up in its word, and that of the last two in theirs.
@@ -29,8 +30,10 @@ pub(crate) trait Block: Copy + Send + Sync {
     /// Most triangles.
     const LANES: usize;
     /// Most points that are corners.
+    #[cfg_attr(not(target_arch = "x86_64"), allow(dead_code))]
     const POINTS: usize;
     /// Is it a [`Loose`] one? Otherwise it is [`Shared`].
+    #[cfg_attr(not(target_arch = "x86_64"), allow(dead_code))]
     const LOOSE: bool;
     /// What visiting a node costs, in tests of a block.
     const NODE_COST: f32;
