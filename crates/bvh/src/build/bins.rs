@@ -1,8 +1,11 @@
-//! Boxes of primitives, and where best to cut a run of them: the surface area heuristic over bins.
+//! Where best to cut a run of primitives: the surface area heuristic over bins.
 //!
 //! After Wald: "On fast Construction of SAH-based Bounding Volume Hierarchies" (2007).
-use raggio_math::{Aabb, Vec3};
+use raggio_math::{Wide, wide};
 use rayon::prelude::*;
+use wide::{f32x4, u32x4};
+
+use super::prims::{Bounds, CHUNK, Prim, Run};
 
 /// What the heuristic has to know of what is built.
 pub(crate) trait Cost {
@@ -15,118 +18,6 @@ pub(crate) trait Cost {
 
 /// Most bins along an axis; a power of two.
 const BINS: usize = 64;
-/// Longer runs are shared among threads, in chunks of this.
-const CHUNK: usize = 1 << 14;
-
-/// A box that grows. The fourth lane is not looked at.
-#[derive(Clone, Copy, Debug)]
-#[repr(C, align(16))]
-pub(crate) struct Bounds {
-    pub(crate) lo: [f32; 4],
-    pub(crate) hi: [f32; 4],
-}
-
-impl Bounds {
-    pub(crate) const EMPTY: Bounds = Bounds { lo: [f32::INFINITY; 4], hi: [f32::NEG_INFINITY; 4] };
-
-    #[inline(always)]
-    pub(crate) fn grow(&mut self, other: &Bounds) {
-        for k in 0..4 {
-            self.lo[k] = if other.lo[k] < self.lo[k] { other.lo[k] } else { self.lo[k] };
-            self.hi[k] = if other.hi[k] > self.hi[k] { other.hi[k] } else { self.hi[k] };
-        }
-    }
-
-    /// A box around both.
-    #[inline(always)]
-    pub(super) fn joined(mut self, other: &Bounds) -> Bounds {
-        self.grow(other);
-        self
-    }
-
-    #[inline(always)]
-    pub(super) fn half_area(&self) -> f32 {
-        let d = [self.hi[0] - self.lo[0], self.hi[1] - self.lo[1], self.hi[2] - self.lo[2]];
-        if d[0] < 0.0 { 0.0 } else { d[0] * d[1] + d[1] * d[2] + d[2] * d[0] }
-    }
-
-    pub(crate) fn aabb(&self) -> Aabb {
-        let corner = |c: &[f32; 4]| Vec3::new(f64::from(c[0]), f64::from(c[1]), f64::from(c[2]));
-        Aabb { min: corner(&self.lo), max: corner(&self.hi) }
-    }
-}
-
-/// A primitive while the tree is built: its box, and its number in the fourth lane, where no number below 2^30 makes
-/// anything but a small positive float.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Prim(Bounds);
-
-impl Prim {
-    #[inline(always)]
-    pub(crate) fn new(mut bounds: Bounds, number: u32) -> Prim {
-        bounds.lo[3] = f32::from_bits(number);
-        // Sums of both are 1 whatever the number, so that no denormal number gets into a product.
-        bounds.hi[3] = 1.0;
-        Prim(bounds)
-    }
-
-    #[cfg(test)]
-    pub(super) fn bounds(&self) -> &Bounds {
-        &self.0
-    }
-
-    pub(crate) fn number(&self) -> u32 {
-        self.0.lo[3].to_bits()
-    }
-
-    #[inline(always)]
-    fn twice_centre(&self) -> [f32; 4] {
-        let (lo, hi) = (&self.0.lo, &self.0.hi);
-        [lo[0] + hi[0], lo[1] + hi[1], lo[2] + hi[2], lo[3] + hi[3]]
-    }
-}
-
-/// A run of primitives on its way into a child.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Run {
-    pub(super) len: usize,
-    /// May it become a leaf?
-    pub(super) leaf: bool,
-    pub(super) bounds: Bounds,
-    /// Bounds of twice the centres.
-    centres: Bounds,
-}
-
-impl Run {
-    const EMPTY: Run = Run { len: 0, leaf: false, bounds: Bounds::EMPTY, centres: Bounds::EMPTY };
-
-    pub(super) fn of(prims: &[Prim]) -> Run {
-        let one = |prims: &[Prim]| {
-            let mut run = Run::EMPTY;
-            prims.iter().for_each(|prim| run.add(prim));
-            run
-        };
-        match prims.len() <= 2 * CHUNK {
-            true => one(prims),
-            false => prims.par_chunks(CHUNK).map(one).reduce(|| Run::EMPTY, Run::joined),
-        }
-    }
-
-    #[inline(always)]
-    fn add(&mut self, prim: &Prim) {
-        let c = prim.twice_centre();
-        self.bounds.grow(&prim.0);
-        self.centres.grow(&Bounds { lo: c, hi: c });
-        self.len += 1;
-    }
-
-    fn joined(mut self, other: Run) -> Run {
-        self.bounds.grow(&other.bounds);
-        self.centres.grow(&other.centres);
-        self.len += other.len;
-        self
-    }
-}
 
 /// How twice a centre becomes a bin.
 #[derive(Clone, Copy)]
@@ -140,7 +31,6 @@ struct Binning {
 struct Cut {
     axis: usize,
     bin: usize,
-    binning: Binning,
     /// What has fallen to each side of it.
     sides: [(Bounds, u32); 2],
 }
@@ -161,98 +51,175 @@ impl Binning {
     /// number before it: that is quicker than a conversion, which has to mind what does not fit. What is not a number
     /// falls into any bin that there is.
     #[inline(always)]
-    fn bins(&self, prim: &Prim) -> [u32; 4] {
-        let (c, mut bins) = (prim.twice_centre(), [0; 4]);
-        for k in 0..4 {
-            let bin = (c[k] - self.offset[k]) * self.scale[k] + 131_072.0;
-            bins[k] = bin.to_bits() >> 6 & (BINS as u32 - 1);
-        }
-        bins
+    fn bins(&self, prim: &Prim) -> u32x4 {
+        let place = (prim.twice_centre() - f32x4::new(self.offset)) * f32x4::new(self.scale);
+        let bits: u32x4 = (place + f32x4::splat(131_072.0)).to_bits();
+        bits >> 6 & u32x4::splat(BINS as u32 - 1)
     }
 }
 
 /// What has fallen into each bin of each axis. It is kept from run to run: to make one takes as long as to fill it.
 #[derive(Clone)]
-pub(super) struct Bins([[(Bounds, u32); BINS]; 3]);
+pub(super) struct Bins {
+    reach: [[Bounds; BINS]; 3],
+    count: [[u32; BINS]; 3],
+}
 
 impl Bins {
-    pub(super) const EMPTY: Bins = Bins([[(Bounds::EMPTY, 0); BINS]; 3]);
+    pub(super) const EMPTY: Bins = Bins { reach: [[Bounds::EMPTY; BINS]; 3], count: [[0; BINS]; 3] };
 
+    #[inline(always)]
     fn fill(&mut self, prims: &[Prim], binning: &Binning) {
-        self.0.iter_mut().for_each(|bins| bins[..binning.count].fill((Bounds::EMPTY, 0)));
-        for prim in prims {
-            let places = binning.bins(prim);
-            for (axis, bins) in self.0.iter_mut().enumerate() {
-                let bin = &mut bins[places[axis] as usize & (BINS - 1)];
-                bin.0.grow(&prim.0);
-                bin.1 += 1;
-            }
+        self.reach.iter_mut().for_each(|bins| bins[..binning.count].fill(Bounds::EMPTY));
+        self.count.iter_mut().for_each(|bins| bins[..binning.count].fill(0));
+        // What lies side by side in the list falls into the same bins, and would wait for each other.
+        let (first, second) = prims.split_at(prims.len() / 2);
+        for (a, b) in first.iter().zip(second) {
+            self.add(*a, binning);
+            self.add(*b, binning);
+        }
+        second[first.len()..].iter().for_each(|prim| self.add(*prim, binning));
+    }
+
+    #[inline(always)]
+    fn add(&mut self, prim: Prim, binning: &Binning) {
+        let (reach, count) = (self.reach.iter_mut(), self.count.iter_mut());
+        for ((reach, count), bin) in reach.zip(count).zip(binning.bins(&prim).to_array()) {
+            reach[bin as usize].grow(prim.bounds());
+            count[bin as usize] += 1;
         }
     }
 
-    fn of(prims: &[Prim], binning: &Binning) -> Bins {
-        let mut bins = Bins::EMPTY;
-        bins.fill(prims, binning);
-        bins
-    }
-
     fn joined(mut self, other: Bins) -> Bins {
-        for (mine, others) in self.0.iter_mut().flatten().zip(other.0.iter().flatten()) {
-            mine.0.grow(&others.0);
-            mine.1 += others.1;
+        for (mine, other) in self.reach.iter_mut().flatten().zip(other.reach.iter().flatten()) {
+            mine.grow(other);
+        }
+        for (mine, other) in self.count.iter_mut().flatten().zip(other.count.iter().flatten()) {
+            *mine += other;
         }
         self
     }
 
+    #[inline(always)]
     fn best_cut<C: Cost>(&self, binning: &Binning) -> Option<Cut> {
         let mut best: Option<(f32, usize, usize)> = None;
-        for (axis, bins) in self.0.iter().enumerate().filter(|(axis, _)| binning.scale[*axis] > 0.0) {
-            let (cost, bin) = cheapest::<C>(&bins[..binning.count]);
+        for axis in (0..3).filter(|&axis| binning.scale[axis] > 0.0) {
+            let (cost, bin) = self.cheapest::<C>(axis, binning.count);
             if cost < best.map_or(f32::INFINITY, |b| b.0) {
                 best = Some((cost, axis, bin));
             }
         }
         best.map(|(_, axis, bin)| {
-            let (left, right) = self.0[axis][..binning.count].split_at(bin);
-            Cut { axis, bin, binning: *binning, sides: [all(left), all(right)] }
+            let sides = [self.all(axis, 0..bin), self.all(axis, bin..binning.count)];
+            Cut { axis, bin, sides }
         })
     }
+
+    /// What has fallen into some bins.
+    #[inline(always)]
+    fn all(&self, axis: usize, bins: std::ops::Range<usize>) -> (Bounds, u32) {
+        let (mut reach, mut count) = (Bounds::EMPTY, 0);
+        for bin in bins {
+            reach.grow(&self.reach[axis][bin]);
+            count += self.count[axis][bin];
+        }
+        (reach, count)
+    }
+
+    /// Cost and place of the cheapest cut of one axis; infinite where every cut leaves a side empty.
+    #[inline(always)]
+    fn cheapest<C: Cost>(&self, axis: usize, bins: usize) -> (f32, usize) {
+        let (reaches, counts) = (&self.reach[axis][..bins], &self.count[axis][..bins]);
+        let mut right_cost = [0.0f32; BINS];
+        let (mut reach, mut count) = (Bounds::EMPTY, 0);
+        for i in (1..bins).rev() {
+            reach.grow(&reaches[i]);
+            count += counts[i];
+            right_cost[i] = if count == 0 { f32::INFINITY } else { reach.half_area() * C::cost(count) };
+        }
+        let (mut reach, mut count) = (Bounds::EMPTY, 0);
+        let mut best = (f32::INFINITY, 0);
+        for i in 1..bins {
+            reach.grow(&reaches[i - 1]);
+            count += counts[i - 1];
+            if count == 0 {
+                continue;
+            }
+            let cost = reach.half_area() * C::cost(count) + right_cost[i];
+            if cost < best.0 {
+                best = (cost, i);
+            }
+        }
+        best
+    }
 }
 
-/// What has fallen into some bins.
-fn all(bins: &[(Bounds, u32)]) -> (Bounds, u32) {
-    bins.iter().fold((Bounds::EMPTY, 0), |all, bin| (all.0.joined(&bin.0), all.1 + bin.1))
+/// Puts primitives into bins.
+struct Fill<'a> {
+    bins: &'a mut Bins,
+    prims: &'a [Prim],
+    binning: &'a Binning,
 }
 
-/// Cost and place of the cheapest cut of one axis; infinite where every cut leaves a side empty.
-fn cheapest<C: Cost>(bins: &[(Bounds, u32)]) -> (f32, usize) {
-    let mut right_cost = [0.0f32; BINS];
-    let (mut bounds, mut count) = (Bounds::EMPTY, 0);
-    for (i, bin) in bins.iter().enumerate().rev() {
-        bounds.grow(&bin.0);
-        count += bin.1;
-        right_cost[i] = if count == 0 { f32::INFINITY } else { bounds.half_area() * C::cost(count) };
+impl Wide for Fill<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        self.bins.fill(self.prims, self.binning);
     }
-    let (mut bounds, mut count) = (Bounds::EMPTY, 0);
-    let mut best = (f32::INFINITY, 0);
-    for i in 1..bins.len() {
-        bounds.grow(&bins[i - 1].0);
-        count += bins[i - 1].1;
-        if count == 0 {
-            continue;
-        }
-        let cost = bounds.half_area() * C::cost(count) + right_cost[i];
-        if cost < best.0 {
-            best = (cost, i);
-        }
+}
+
+/// Finds the best cut by what is in the bins.
+struct Find<'a, C>(&'a Bins, &'a Binning, std::marker::PhantomData<C>);
+
+impl<C: Cost> Wide for Find<'_, C> {
+    type Output = Option<Cut>;
+
+    #[inline(always)]
+    fn run(self) -> Option<Cut> {
+        self.0.best_cut::<C>(self.1)
     }
-    best
+}
+
+/// Puts what goes first first. Returns how much that is, and bounds of twice the centres of both sides.
+struct Partition<'a> {
+    prims: &'a mut [Prim],
+    binning: &'a Binning,
+    axis: usize,
+    bin: usize,
+}
+
+impl Wide for Partition<'_> {
+    type Output = (usize, [Bounds; 2]);
+
+    /// Each primitive is swapped with the first of those that come after, and that stands one farther if it goes first:
+    /// nobody could foresee a branch.
+    #[inline(always)]
+    fn run(self) -> (usize, [Bounds; 2]) {
+        let mut centres = [Bounds::EMPTY; 2];
+        let mut start = 0;
+        for i in 0..self.prims.len() {
+            let (prim, other) = (self.prims[i], self.prims[start]);
+            self.prims[start] = prim;
+            self.prims[i] = other;
+            let first =
+                self.binning.bins(&prim).simd_lt(u32x4::splat(self.bin as u32)).to_bitmask() >> self.axis & 1;
+            start += first as usize;
+            // What is not a number makes no box larger.
+            let (c, mask) = (prim.twice_centre(), f32x4::splat(f32::from_bits(first.wrapping_neg())));
+            centres[0].grow_to(c | !mask);
+            centres[1].grow_to(c | mask);
+        }
+        (start, centres)
+    }
 }
 
 /// Cuts a run in two and orders its primitives accordingly. Where no cut is better than another it is in the middle.
 pub(super) fn split<C: Cost>(prims: &mut [Prim], run: &Run, by_area: bool, bins: &mut Bins) -> (Run, Run) {
-    match (by_area && prims.len() > 2).then(|| best_cut::<C>(prims, run, bins)).flatten() {
-        Some(cut) => partition(prims, &cut),
+    let binning = Binning::new(run, C::FEWEST_BINS);
+    match (by_area && prims.len() > 2).then(|| best_cut::<C>(prims, &binning, bins)).flatten() {
+        Some(cut) => partition(prims, &cut, &binning),
         None => {
             let (first, second) = prims.split_at(prims.len() / 2);
             (Run::of(first), Run::of(second))
@@ -260,31 +227,22 @@ pub(super) fn split<C: Cost>(prims: &mut [Prim], run: &Run, by_area: bool, bins:
     }
 }
 
-fn best_cut<C: Cost>(prims: &[Prim], run: &Run, bins: &mut Bins) -> Option<Cut> {
-    let binning = Binning::new(run, C::FEWEST_BINS);
-    if run.len <= 2 * CHUNK {
-        bins.fill(prims, &binning);
-        return bins.best_cut::<C>(&binning);
+fn best_cut<C: Cost>(prims: &[Prim], binning: &Binning, bins: &mut Bins) -> Option<Cut> {
+    if prims.len() <= 2 * CHUNK {
+        wide(Fill { bins, prims, binning });
+    } else {
+        let of = |prims: &[Prim]| {
+            let mut bins = Bins::EMPTY;
+            wide(Fill { bins: &mut bins, prims, binning });
+            bins
+        };
+        *bins = prims.par_chunks(CHUNK).map(of).reduce(|| Bins::EMPTY, Bins::joined);
     }
-    let of = |prims: &[Prim]| Bins::of(prims, &binning);
-    prims.par_chunks(CHUNK).map(of).reduce(|| Bins::EMPTY, Bins::joined).best_cut::<C>(&binning)
+    wide(Find::<C>(bins, binning, std::marker::PhantomData))
 }
 
-fn partition(prims: &mut [Prim], cut: &Cut) -> (Run, Run) {
-    let mut centres = [Bounds::EMPTY; 2];
-    let (mut start, mut end) = (0, prims.len());
-    while start < end {
-        let prim = prims[start];
-        let c = prim.twice_centre();
-        if (cut.binning.bins(&prim)[cut.axis] as usize) < cut.bin {
-            centres[0].grow(&Bounds { lo: c, hi: c });
-            start += 1;
-        } else {
-            centres[1].grow(&Bounds { lo: c, hi: c });
-            end -= 1;
-            (prims[start], prims[end]) = (prims[end], prim);
-        }
-    }
+fn partition(prims: &mut [Prim], cut: &Cut, binning: &Binning) -> (Run, Run) {
+    let (start, centres) = wide(Partition { prims, binning, axis: cut.axis, bin: cut.bin });
     let (first, second) = prims.split_at(start);
     let run = |side: usize, prims: &[Prim]| match cut.sides[side] {
         (bounds, count) if count as usize == prims.len() => {

@@ -2,8 +2,9 @@
 use raggio_math::Aabb;
 
 use super::Tree;
-use super::bins::{Bounds, Cost, Prim};
+use super::bins::Cost;
 use super::eight::Builder;
+use super::prims::{Bounds, Prim};
 use crate::kernel;
 use crate::node::MAX_LEAF;
 use crate::round::{down, up};

@@ -6,9 +6,10 @@
 //! back on the way. Threads share the work and change nothing of the result.
 use rayon::prelude::*;
 
-use super::bins::{Bins, Prim, Run, split};
+use super::bins::{Bins, split};
 use super::boxes::Runs;
-use super::{BATCH, LARGE, PARTS, SMALL, Tree};
+use super::prims::{Prim, Run};
+use super::{BATCH, LARGE, PARTS, SMALL, Tree, append};
 use crate::node::{Child, Node, WIDTH};
 
 /// Deeper subtrees are cut in the middle, which halves them at each level.
@@ -112,7 +113,10 @@ impl Builder {
                 .map(|((own, part), below)| (self.child(own, &part.run, part.depth, below), part))
                 .collect();
             for ((root, part), below) in built.into_iter().zip(&mut parts) {
-                let word = tree.append(below, root, |word, by| Child::from_word(word).moved(by).word());
+                let by = tree.leaves.len();
+                tree.leaves.append(&mut below.leaves);
+                let moved = |word| Child::from_word(word).moved(by).word();
+                let word = append(&mut tree.nodes, &mut below.nodes, root, moved);
                 set(&mut tree.nodes[part.node], part.slot, &part.run, word);
             }
             prims.truncate(start);

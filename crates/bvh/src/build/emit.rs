@@ -1,9 +1,8 @@
-//! The nodes and leaves of the tree, written down from the binary one.
+//! The nodes of the tree, written down from the binary one.
 use rayon::prelude::*;
 
 use super::binary::{Binary, ROOT};
-use super::bins::Prim;
-use super::{BATCH, LARGE, Leaves, PARTS, SMALL, Tree};
+use super::{BATCH, LARGE, PARTS, SMALL, append};
 use crate::node::{Child, Node};
 
 /// What is written down later: a binary node, and the node and the place there that it belongs to.
@@ -15,8 +14,8 @@ pub(super) struct Waiting {
 
 impl Waiting {
     /// Tells the parent where it is.
-    pub(super) fn arrived<T>(&self, tree: &mut Tree<T>, word: u32) {
-        tree.nodes[self.node].child[self.slot] = word;
+    pub(super) fn arrived(&self, nodes: &mut [Node], word: u32) {
+        nodes[self.node].child[self.slot] = word;
     }
 }
 
@@ -29,66 +28,63 @@ enum Later {
 }
 
 /// Writes a binary tree down.
-pub(super) struct Writer<'a, L> {
-    kind: &'a L,
+pub(super) struct Writer<'a> {
     binary: &'a Binary,
-    prims: &'a [Prim],
     later: Later,
 }
 
-impl<'a, L: Leaves> Writer<'a, L> {
-    /// Appends all of it to a tree. Of a large one the top comes first, then what hangs below it in parts, by all threads.
-    /// Returns the root's word.
-    pub(super) fn all(kind: &'a L, binary: &'a Binary, prims: &'a [Prim], tree: &mut Tree<L::Leaf>) -> u32 {
-        let later = match prims.len() < LARGE {
-            true => Later::Nothing,
-            false => Later::Parts(prims.len().div_ceil(PARTS).max(SMALL)),
+impl<'a> Writer<'a> {
+    /// Appends all of it. Of a large one the top comes first, then what hangs below it in parts, by all threads. Returns
+    /// the root's word.
+    pub(super) fn all(binary: &'a Binary, nodes: &mut Vec<Node>) -> u32 {
+        let later = match binary.node(ROOT).len as usize {
+            ..LARGE => Later::Nothing,
+            len => Later::Parts(len.div_ceil(PARTS).max(SMALL)),
         };
-        let top = Writer { kind, binary, prims, later };
         let mut waiting = Vec::new();
-        let root = top.node(ROOT, tree, &mut waiting);
+        let root = Writer { binary, later }.node(ROOT, nodes, &mut waiting);
         // Kept from batch to batch: fresh memory would have to be cleared for each.
-        let mut parts: Vec<Tree<L::Leaf>> = (0..BATCH).map(|_| Tree::EMPTY).collect();
-        let part = Writer { later: Later::Nothing, ..top };
+        let mut parts: Vec<Vec<Node>> = (0..BATCH).map(|_| Vec::new()).collect();
+        let part = Writer { binary, later: Later::Nothing };
         for batch in waiting.chunks(BATCH) {
             let work = batch.par_iter().zip(&mut parts);
             let roots: Vec<u32> =
                 work.map(|(at, below)| part.node(at.binary, below, &mut Vec::new())).collect();
             for ((at, below), root) in batch.iter().zip(&mut parts).zip(roots) {
-                let word = tree.append(below, root, L::moved);
-                at.arrived(tree, word);
+                let word = append(nodes, below, root, |leaf| leaf);
+                at.arrived(nodes, word);
             }
         }
         root
     }
 
     /// Appends all but the leaves, and lists these.
-    pub(super) fn top(kind: &'a L, binary: &'a Binary, tree: &mut Tree<L::Leaf>) -> Vec<Waiting> {
+    pub(super) fn top(binary: &'a Binary, nodes: &mut Vec<Node>) -> Vec<Waiting> {
         let mut waiting = Vec::new();
-        Writer { kind, binary, prims: &[], later: Later::Leaves }.node(ROOT, tree, &mut waiting);
+        Writer { binary, later: Later::Leaves }.node(ROOT, nodes, &mut waiting);
         waiting
     }
 
     /// Appends a node with what is below it, and lists what is not written down at once.
-    fn node(&self, i: u32, tree: &mut Tree<L::Leaf>, waiting: &mut Vec<Waiting>) -> u32 {
-        let index = tree.nodes.len();
-        tree.nodes.push(Node::EMPTY);
+    fn node(&self, i: u32, nodes: &mut Vec<Node>, waiting: &mut Vec<Waiting>) -> u32 {
+        let index = nodes.len();
+        nodes.push(Node::EMPTY);
         let opened = self.binary.cheapest(i);
         for (at, &child) in opened.children().iter().enumerate() {
             let (slot, branch) = (self.rank(opened.children(), at), self.binary.node(child));
-            tree.nodes[index].set_bounds(slot, &branch.bounds);
+            nodes[index].set_bounds(slot, &branch.bounds);
             let later = match self.later {
                 Later::Nothing => false,
                 Later::Leaves => branch.is_leaf(),
                 Later::Parts(most) => !branch.is_leaf() && branch.len as usize <= most,
             };
-            tree.nodes[index].child[slot] = if later {
+            nodes[index].child[slot] = if later {
                 waiting.push(Waiting { binary: child, node: index, slot });
                 Child::LEAF
             } else if branch.is_leaf() {
-                self.kind.add(&self.prims[branch.range()], &mut tree.leaves)
+                Child::LEAF | branch.leaf
             } else {
-                self.node(child, tree, waiting)
+                self.node(child, nodes, waiting)
             };
         }
         index as u32

@@ -12,15 +12,17 @@ mod collapse;
 mod eight;
 mod emit;
 mod pages;
+mod prims;
 mod reinsert;
 
 use crate::node::{Child, Node};
-use binary::{Binary, Cutter, ROOT};
-use bins::Run;
-pub(crate) use bins::{Bounds, Cost, Prim};
+use binary::{Binary, Cutter};
+pub(crate) use bins::Cost;
 pub use boxes::Built;
 pub(crate) use eight::MAX_DEPTH as BOXES_DEPTH;
 use emit::Writer;
+use prims::Run;
+pub(crate) use prims::{Bounds, Prim};
 
 /// Deeper subtrees are cut in the middle, which halves them at each level.
 const SAH_DEPTH: usize = 64;
@@ -47,14 +49,8 @@ pub(crate) trait Leaves: Cost + Sync {
     /// How long the list of leaves becomes at most, or nearly always, for so many primitives.
     fn room(&self, count: usize) -> usize;
 
-    /// Is there room in a leaf for all of these? There always is for two.
-    fn fits(&self, prims: &[Prim]) -> bool;
-
-    /// Appends a leaf and returns its child word.
-    fn add(&self, prims: &[Prim], leaves: &mut Vec<Self::Leaf>) -> u32;
-
-    /// The word of a leaf before which `by` others have been put.
-    fn moved(word: u32, by: usize) -> u32;
+    /// A leaf of all of these, if there is room in one. There always is for two.
+    fn leaf(&self, prims: &[Prim]) -> Option<Self::Leaf>;
 }
 
 /// Nodes and leaves in the making, or a part of them. The root is the first node.
@@ -77,7 +73,7 @@ fn build_by<L: Leaves>(kind: &L, mut prims: Vec<Prim>, chunk: usize) -> (Tree<L:
     }
     tree.reserve(all.len / (2 * kind.size()) + 1, kind.room(all.len));
     if all.len <= chunk {
-        whole(kind, &mut prims, 0, &mut tree);
+        whole(kind, &mut prims, 0, &mut tree, Binary::NONE);
     } else {
         chunks(kind, prims, chunk, &mut tree);
     }
@@ -88,29 +84,31 @@ fn build_by<L: Leaves>(kind: &L, mut prims: Vec<Prim>, chunk: usize) -> (Tree<L:
     (tree, all.bounds)
 }
 
-/// Appends the tree over some primitives, which lies at this depth. Returns the root's word.
-fn whole<L: Leaves>(kind: &L, prims: &mut [Prim], depth: usize, tree: &mut Tree<L::Leaf>) -> u32 {
-    let binary = improved(Cutter { kind, limit: 0 }, prims, depth);
-    Writer::all(kind, &binary, prims, tree)
-}
-
-/// The binary tree over some primitives, ready to be written down.
-fn improved<L: Leaves>(cutter: Cutter<L>, prims: &mut [Prim], depth: usize) -> Binary {
-    let mut binary = cutter.tree(prims, depth);
-    binary.reinsert(depth);
-    binary.price(ROOT);
-    binary
+/// Appends the tree over some primitives, which lies at this depth. Returns the root's word, and the binary tree, in whose
+/// place the next may come: fresh memory takes long to get.
+fn whole<L: Leaves>(
+    kind: &L,
+    prims: &mut [Prim],
+    depth: usize,
+    tree: &mut Tree<L::Leaf>,
+    other: Binary,
+) -> (u32, Binary) {
+    let binary = Cutter { kind, limit: 0 }.tree(prims, depth, other, &mut tree.leaves).improved(depth);
+    (Writer::all(&binary, &mut tree.nodes), binary)
 }
 
 /// Builds a large tree, and gives the memory of `prims` back on the way.
 fn chunks<L: Leaves>(kind: &L, mut prims: Vec<Prim>, most: usize, tree: &mut Tree<L::Leaf>) {
-    let top = improved(Cutter { kind, limit: most }, &mut prims, 0);
-    let mut waiting = Writer::top(kind, &top, tree);
+    let cutter = Cutter { kind, limit: most };
+    let top = cutter.tree(&mut prims, 0, Binary::NONE, &mut tree.leaves).improved(0);
+    let mut binary = Binary::NONE;
+    let mut waiting = Writer::top(&top, &mut tree.nodes);
     waiting.sort_unstable_by_key(|chunk| top.node(chunk.binary).start);
     for chunk in waiting.into_iter().rev() {
         let start = top.node(chunk.binary).start as usize;
-        let word = whole(kind, &mut prims[start..], top.depth(chunk.binary), tree);
-        chunk.arrived(tree, word);
+        let word;
+        (word, binary) = whole(kind, &mut prims[start..], top.depth(chunk.binary), tree, binary);
+        chunk.arrived(&mut tree.nodes, word);
         prims.truncate(start);
         prims.shrink_to_fit();
     }
@@ -127,19 +125,18 @@ impl<T> Tree<T> {
         pages::ask_for_large(&self.nodes);
         pages::ask_for_large(&self.leaves);
     }
+}
 
-    /// Takes all of another tree, leaving that its memory, and returns the word of its root. `moved` gives the word of a
-    /// leaf before which so many others have been put.
-    fn append(&mut self, other: &mut Tree<T>, root: u32, moved: impl Fn(u32, usize) -> u32) -> u32 {
-        let (nodes, leaves) = (self.nodes.len() as u32, self.leaves.len());
-        let moved = |word: u32| if word & Child::LEAF == 0 { word + nodes } else { moved(word, leaves) };
-        for word in other.nodes.iter_mut().flat_map(|node| &mut node.child) {
-            *word = moved(*word);
-        }
-        self.nodes.append(&mut other.nodes);
-        self.leaves.append(&mut other.leaves);
-        moved(root)
+/// Appends other nodes, leaving these their memory, and returns what has become of the word of their root. `moved` gives
+/// the word of a leaf that has moved.
+fn append(nodes: &mut Vec<Node>, others: &mut Vec<Node>, root: u32, moved: impl Fn(u32) -> u32) -> u32 {
+    let by = nodes.len() as u32;
+    let moved = |word: u32| if word & Child::LEAF == 0 { word + by } else { moved(word) };
+    for word in others.iter_mut().flat_map(|node| &mut node.child) {
+        *word = moved(*word);
     }
+    nodes.append(others);
+    moved(root)
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 //! small ones, where they make all nodes on the way large.
 use super::MESH_DEPTH;
 use super::binary::{Binary, NONE, ROOT};
-use super::bins::Bounds;
+use super::prims::Bounds;
 
 /// How often the largest nodes are gone through: where one has left there may be room for another.
 const ROUNDS: usize = 3;

@@ -1,5 +1,5 @@
 //! Laws of the meshes' builder, with leaves of two boxes.
-use super::binary::NONE;
+use super::binary::{NONE, ROOT};
 use super::*;
 use crate::node::WIDTH;
 
@@ -24,17 +24,8 @@ impl Leaves for Pairs {
         count
     }
 
-    fn fits(&self, _: &[Prim]) -> bool {
-        true
-    }
-
-    fn add(&self, prims: &[Prim], leaves: &mut Vec<Vec<u32>>) -> u32 {
-        leaves.push(prims.iter().map(Prim::number).collect());
-        Child::LEAF | (leaves.len() - 1) as u32
-    }
-
-    fn moved(word: u32, by: usize) -> u32 {
-        word + by as u32
+    fn leaf(&self, prims: &[Prim]) -> Option<Vec<u32>> {
+        Some(prims.iter().map(Prim::number).collect())
     }
 }
 
@@ -85,6 +76,19 @@ fn every_primitive_is_in_one_leaf_and_in_all_boxes_above() {
     }
 }
 
+/// One thread alone makes one list of nodes, several make parts of it.
+#[test]
+#[cfg_attr(miri, ignore = "takes hours there")]
+fn the_tree_is_the_same_for_any_number_of_threads() {
+    let built = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
+        let (tree, _) = pool.install(|| build_by(&Pairs, boxes(60_000), 50_000));
+        let nodes: Vec<_> = tree.nodes.iter().map(|node| (node.bounds, node.child)).collect();
+        (nodes, tree.leaves)
+    };
+    assert!(built(1) == built(3));
+}
+
 /// The surface of all inner nodes.
 fn surface(tree: &Binary) -> f32 {
     tree.nodes.iter().filter(|node| !node.is_leaf()).map(|node| node.area()).sum()
@@ -92,7 +96,7 @@ fn surface(tree: &Binary) -> f32 {
 
 #[test]
 fn moved_nodes_make_less_surface_and_leave_a_tree() {
-    let mut tree = Cutter { kind: &Pairs, limit: 0 }.tree(&mut boxes(3000), 0);
+    let mut tree = Cutter { kind: &Pairs, limit: 0 }.tree(&mut boxes(3000), 0, Binary::NONE, &mut Vec::new());
     let before = surface(&tree);
     tree.reinsert(0);
     assert!(surface(&tree) < 0.97 * before, "{} {before}", surface(&tree));
@@ -111,7 +115,7 @@ fn moved_nodes_make_less_surface_and_leave_a_tree() {
 /// A tree as high as may be grows no higher.
 #[test]
 fn moves_keep_to_the_bound_of_the_depth() {
-    let mut tree = Cutter { kind: &Pairs, limit: 0 }.tree(&mut boxes(3000), 0);
+    let mut tree = Cutter { kind: &Pairs, limit: 0 }.tree(&mut boxes(3000), 0, Binary::NONE, &mut Vec::new());
     let height = tree.nodes[0].height as usize;
     tree.reinsert(MESH_DEPTH - height);
     assert!(tree.nodes[0].height as usize <= height);
@@ -141,7 +145,8 @@ fn cost_of(tree: &Binary, kept: u32) -> Option<f32> {
 #[test]
 fn no_other_way_to_open_a_tree_is_cheaper() {
     for count in [3, 14, 17, 20, 23] {
-        let mut tree = Cutter { kind: &Pairs, limit: 0 }.tree(&mut boxes(count), 0);
+        let mut tree =
+            Cutter { kind: &Pairs, limit: 0 }.tree(&mut boxes(count), 0, Binary::NONE, &mut Vec::new());
         let inner = tree.nodes.iter().filter(|node| !node.is_leaf()).count();
         assert!(inner < 16);
         let least = (0..1 << inner).filter_map(|kept| cost_of(&tree, kept)).fold(f32::INFINITY, f32::min);

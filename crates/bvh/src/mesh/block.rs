@@ -1,6 +1,9 @@
 //! The leaves: blocks of a few triangles. Those of most meshes share their corners, which are kept once, so that six of
 //! them take two lines of the processor's cache. Where triangles hang together nowhere, four keep their corners each.
 
+use raggio_math::wide;
+
+use super::corners::{Corners, Points};
 use crate::build::Bounds;
 
 /// Most triangles in a shared block. Six that hang together edge by edge have eight points at most.
@@ -16,6 +19,7 @@ pub(crate) const POINTS: usize = 8;
 pub(crate) const MOST_CORNERS: usize = 3 * SHARED;
 
 /// Most points in a block of any kind.
+#[cfg_attr(not(target_arch = "x86_64"), allow(dead_code))]
 pub(crate) const MOST_POINTS: usize = 3 * LOOSE;
 
 /// How far the third corner of the first four lanes is up in its word, and that of the last two in theirs.
@@ -26,8 +30,10 @@ pub(crate) trait Block: Copy + Send + Sync {
     /// Most triangles.
     const LANES: usize;
     /// Most points that are corners.
+    #[cfg_attr(not(target_arch = "x86_64"), allow(dead_code))]
     const POINTS: usize;
     /// Is it a [`Loose`] one? Otherwise it is [`Shared`].
+    #[cfg_attr(not(target_arch = "x86_64"), allow(dead_code))]
     const LOOSE: bool;
     /// What visiting a node costs, in tests of a block.
     const NODE_COST: f32;
@@ -158,27 +164,23 @@ impl Block for Shared {
 
     /// Corners that lie in one place are one point.
     fn of(triangles: impl Iterator<Item = (u32, [u32; 3])>, vertices: &[[f32; 3]]) -> Option<Shared> {
-        let mut block = Shared { place: [[0.0; POINTS]; 3], triangle: [u32::MAX; SHARED], corner: [0; 2] };
-        let mut known = [u32::MAX; POINTS];
-        let mut points = 0;
-        for (lane, (triangle, corners)) in triangles.enumerate() {
-            block.triangle[lane] = triangle;
-            for (k, &vertex) in corners.iter().enumerate() {
-                let point = match known[..points].iter().position(|&other| other == vertex) {
-                    Some(point) => point,
-                    None => {
-                        let point = block.find(points, vertices[vertex as usize])?;
-                        if point == points {
-                            (known[point], points) = (vertex, points + 1);
-                        }
-                        point
-                    }
-                };
-                let (word, up) = Shared::bits(lane, k);
-                block.corner[word] |= (point as u32) << up;
+        let (mut triangle, mut corner) = ([u32::MAX; SHARED], [0; 2]);
+        let mut corners = Corners::all_at([0.0; 3]);
+        for (lane, (number, vertex)) in triangles.enumerate() {
+            if lane == 0 {
+                corners = Corners::all_at(vertices[vertex[0] as usize]);
+            }
+            triangle[lane] = number;
+            for k in 0..3 {
+                corners.set(3 * lane + k, vertices[vertex[k] as usize]);
             }
         }
-        Some(block)
+        let Points { place, which } = wide(&corners)?;
+        for (i, &point) in which.iter().enumerate() {
+            let (word, up) = Shared::bits(i / 3, i % 3);
+            corner[word] |= u32::from(point) << up;
+        }
+        Some(Shared { place, triangle, corner })
     }
 
     #[inline(always)]
@@ -203,19 +205,6 @@ impl Block for Shared {
 }
 
 impl Shared {
-    /// The point that lies in a place, a new one after `points` others where there is none, if there is room.
-    fn find(&mut self, points: usize, p: [f32; 3]) -> Option<usize> {
-        let same = |i: usize| (0..3).all(|axis| self.place[axis][i].to_bits() == p[axis].to_bits());
-        if let Some(point) = (0..points).find(|&i| same(i)) {
-            return Some(point);
-        }
-        if points == POINTS {
-            return None;
-        }
-        self.put(points, p);
-        Some(points)
-    }
-
     fn put(&mut self, point: usize, p: [f32; 3]) {
         for (row, value) in self.place.iter_mut().zip(p) {
             row[point] = value;

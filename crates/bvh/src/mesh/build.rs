@@ -4,8 +4,7 @@ use std::marker::PhantomData;
 
 use rayon::prelude::*;
 
-use super::block::MOST_CORNERS;
-use super::{Block, LEAF};
+use super::Block;
 use crate::build::{self, Bounds, Cost, LARGE, Leaves, Prim, Tree};
 use crate::node::Node;
 
@@ -55,23 +54,6 @@ pub(super) fn build<B: Block>(vertices: &[V3], corners: &[[u32; 3]]) -> (Tree<B>
 }
 
 impl<B: Block> Triangles<'_, B> {
-    fn block(&self, prims: &[Prim]) -> Option<B> {
-        let triangle = |prim: &Prim| (prim.number(), self.corners[prim.number() as usize]);
-        B::of(prims.iter().map(triangle), self.vertices)
-    }
-
-    /// Have these triangles no more vertices than a block has points? Quicker to tell than whether some lie in one place.
-    fn few_vertices(&self, prims: &[Prim]) -> bool {
-        let mut list = [u32::MAX; MOST_CORNERS];
-        let vertices = prims.iter().flat_map(|prim| self.corners[prim.number() as usize]);
-        list.iter_mut().zip(vertices).for_each(|(place, vertex)| *place = vertex);
-        // All are compared with all, without branches, which nobody could foresee.
-        let known =
-            |i: usize| (0..MOST_CORNERS).fold(false, |known, j| known | ((list[j] == list[i]) & (j < i)));
-        let count: usize = (0..3 * prims.len().min(MOST_CORNERS / 3)).map(|i| usize::from(!known(i))).sum();
-        count <= B::POINTS
-    }
-
     fn corners(&self, triangle: usize) -> [V3; 3] {
         self.corners[triangle].map(|corner| self.vertices[corner as usize])
     }
@@ -108,16 +90,8 @@ impl<B: Block> Leaves for Triangles<'_, B> {
         count / 2 + 1
     }
 
-    fn fits(&self, prims: &[Prim]) -> bool {
-        B::LOOSE || prims.len() <= 2 || self.few_vertices(prims) || self.block(prims).is_some()
-    }
-
-    fn add(&self, prims: &[Prim], leaves: &mut Vec<B>) -> u32 {
-        leaves.extend(self.block(prims));
-        LEAF | (leaves.len() - 1) as u32
-    }
-
-    fn moved(word: u32, by: usize) -> u32 {
-        word + by as u32
+    fn leaf(&self, prims: &[Prim]) -> Option<B> {
+        let triangle = |prim: &Prim| (prim.number(), self.corners[prim.number() as usize]);
+        B::of(prims.iter().map(triangle), self.vertices)
     }
 }

@@ -27,6 +27,7 @@ mod bundle;
 mod build;
 #[cfg(target_arch = "x86_64")]
 mod coherent;
+mod corners;
 mod double;
 #[cfg(target_arch = "x86_64")]
 mod lanes;
