@@ -141,13 +141,17 @@ impl Walk {
             ObjectKind::Light(light) => self.light(object, light, outer, around, members),
             ObjectKind::LightGroup { children, global_lights } => {
                 let mut context = outer.inherited(object, &mut self.materials);
+                // Whether the scene's lights shine within is said by the outermost group.
+                context.global_lights =
+                    if outer.light_group.is_some() { outer.global_lights } else { *global_lights };
                 context.light_group = Some(LightGroupId(self.light_groups));
-                context.global_lights = *global_lights;
+                context.member_of = context.light_group;
                 self.light_groups += 1;
                 self.combination(object, Csg::Union, children, &context, outer, around, members)
             }
             ObjectKind::Csg { op, children } => {
-                let context = outer.inherited(object, &mut self.materials);
+                let mut context = outer.inherited(object, &mut self.materials);
+                context.member_of = None;
                 self.combination(object, *op, children, &context, outer, around, members)
             }
         }
@@ -422,7 +426,7 @@ impl Walk {
         if !outer.form_only {
             let mut placed = Light { looks_like: None, ..light.clone() };
             placed.transform(&context.world_from_here);
-            self.lights.push(PlacedLight { light: Arc::new(placed), group: outer.light_group });
+            self.lights.push(PlacedLight { light: Arc::new(placed), group: outer.member_of });
         }
         match &light.looks_like {
             Some(shown) => {

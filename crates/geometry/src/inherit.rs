@@ -24,6 +24,8 @@ pub(crate) struct Context {
     pub(crate) skip: u8,
     pub(crate) double_illuminate: bool,
     pub(crate) light_group: Option<LightGroupId>,
+    /// The same for what stands in the group itself: lights in a union there shine on the whole scene.
+    pub(crate) member_of: Option<LightGroupId>,
     pub(crate) global_lights: bool,
     pub(crate) photons: PhotonFlags,
     pub(crate) radiosity_importance: Option<f32>,
@@ -51,6 +53,7 @@ impl Context {
             skip: 0,
             double_illuminate: false,
             light_group: None,
+            member_of: None,
             global_lights: true,
             photons: PhotonFlags::default(),
             radiosity_importance: None,

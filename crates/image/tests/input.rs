@@ -89,6 +89,18 @@ fn gif_keeps_its_palette() {
 }
 
 #[test]
+fn rows_of_interlaced_gifs_keep_their_stored_order() {
+    let mut file = Vec::new();
+    let mut encoder = gif::Encoder::new(&mut file, 1, 9, &[0; 48]).expect("a header");
+    let mut frame = gif::Frame::from_indexed_pixels(1, 9, vec![0, 8, 4, 2, 6, 1, 3, 5, 7], None);
+    frame.interlaced = true;
+    encoder.write_frame(&frame).expect("a frame");
+    drop(encoder);
+    let Pixels::Palette { indices, .. } = read(&file, Format::Gif).pixels else { panic!("no palette") };
+    assert_eq!(indices, [0, 8, 4, 2, 6, 1, 3, 5, 7]);
+}
+
+#[test]
 fn potential_joins_the_halves() {
     let mut file = Vec::new();
     let mut encoder = gif::Encoder::new(&mut file, 4, 2, &[0; 768]).expect("a header");

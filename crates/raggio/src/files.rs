@@ -39,7 +39,7 @@ pub struct DiskFiles {
 /// Which part the include files of an installed POV-Ray play.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum InstalledLibrary {
-    /// They go before those that are built in.
+    /// They go before the given libraries and what is built in, as POV-Ray's own settings come before its switches.
     First,
     /// They are asked for what is not built in: fonts, pictures.
     #[default]
@@ -53,14 +53,14 @@ impl DiskFiles {
     pub fn new(scene_folder: Option<&Path>, libraries: &[PathBuf], installed: InstalledLibrary) -> Self {
         let mut folders = vec![PathBuf::new()];
         folders.extend(scene_folder.map(Path::to_path_buf));
+        let found: Vec<_> = INSTALLED.iter().map(PathBuf::from).filter(|p| p.is_dir()).collect();
+        let (before, behind) = match installed {
+            InstalledLibrary::First => (found, Vec::new()),
+            InstalledLibrary::Last => (Vec::new(), found),
+            InstalledLibrary::Never => Default::default(),
+        };
+        folders.extend(before);
         folders.extend(libraries.iter().cloned());
-        let mut behind = Vec::new();
-        let found = INSTALLED.iter().map(PathBuf::from).filter(|p| p.is_dir());
-        match installed {
-            InstalledLibrary::First => folders.extend(found),
-            InstalledLibrary::Last => behind.extend(found),
-            InstalledLibrary::Never => {}
-        }
         DiskFiles { folders, behind, write_base: PathBuf::new() }
     }
 

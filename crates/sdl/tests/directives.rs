@@ -177,6 +177,14 @@ fn macros_return_text() {
 }
 
 #[test]
+fn names_without_a_comma_between_take_the_value_of_the_second() {
+    let text = "#macro P(A,B) Say(A) Say(B) #end #declare X=1; #declare Y=2; #declare Z=array[1]{3} ";
+    says(&format!("{text} P(X Y)"), "2 2");
+    says(&format!("{text} P(X, Y) P(X*1 Y) P((X) Y) P(X Z[0]) P(X 4)"), "1 2 1 2 1 2 1 3 1 4");
+    says(&format!("{text} P(Z[0] Y)"), "2 2");
+}
+
+#[test]
 fn parameters_go_by_reference_or_value() {
     says("#declare A=1; #macro M(P) #declare P=5; #end M(A) Say(A)", "5");
     says("#declare A=1; #macro M(P) #declare P=5; #end M(A+0) M((A)) M(-A) Say(A)", "1");

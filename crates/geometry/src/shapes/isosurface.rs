@@ -133,11 +133,12 @@ impl Isosurface {
             }
             None => None,
         };
-        let mut left = self.max_trace;
+        // A ray that goes on behind a hit begins anew there, and what lies before is not counted.
+        let (from, mut left) = (to.range().0, self.max_trace);
         let (start, value) = search.start(enter, walk.as_deref_mut());
         if !self.open && enter > self.accuracy && value.hi < 0.0 {
             self.push_wall(ray, enter, to);
-            left = left.saturating_sub(1);
+            left = left.saturating_sub(u32::from(enter > from));
         }
         search.sign = if value.hi < 0.0 { -1.0 } else { 1.0 };
         let mut at = (start, value);
@@ -149,7 +150,7 @@ impl Isosurface {
                 break;
             };
             to.push(LocalHit { t, part: SURFACE, ..LocalHit::default() });
-            left -= 1;
+            left -= u32::from(t > from);
             search.sign = -search.sign;
             let next = t + 5.0 * self.accuracy;
             if left == 0 || next >= leave || next >= to.range().1 {

@@ -17,8 +17,12 @@ pub(super) fn decode(bytes: &[u8]) -> Result<Bitmap, DecodeError> {
     let (width, height) = checked_size(decoder.width().into(), decoder.height().into())?;
     let shared = decoder.global_palette().map(<[u8]>::to_vec);
     let background = decoder.bg_color().unwrap_or(0) as u8;
-    let frame = decoder.read_next_frame().map_err(error)?;
+    let frame = decoder.next_frame_info().map_err(error)?.cloned();
     let frame = frame.ok_or_else(|| damaged(Format::Gif)("there is no frame"))?;
+    // POV-Ray leaves the rows of interlaced pictures in the order in which they are stored, and so do we.
+    let (columns, rows) = checked_size(frame.width.into(), frame.height.into())?;
+    let mut stored = vec![0; columns * rows];
+    decoder.fill_buffer(&mut stored).map_err(error)?;
     let palette = frame.palette.clone().or(shared).unwrap_or_default();
     let transparent = frame.transparent.map(usize::from);
     let alpha = |i: usize| if transparent == Some(i) { 0 } else { 255 };
@@ -26,10 +30,10 @@ pub(super) fn decode(bytes: &[u8]) -> Result<Bitmap, DecodeError> {
     let colors = colors.map(|(i, &[r, g, b])| [r, g, b, alpha(i)]).collect();
 
     let mut indices = vec![background; width * height];
-    let (left, line) = (usize::from(frame.left), usize::from(frame.width));
-    for (row, source) in frame.buffer.chunks_exact(line.max(1)).enumerate() {
+    let left = usize::from(frame.left);
+    for (row, source) in stored.chunks_exact(columns).enumerate() {
         let start = (usize::from(frame.top) + row) * width + left;
-        let room = line.min(width.saturating_sub(left));
+        let room = columns.min(width.saturating_sub(left));
         if let Some(target) = indices.get_mut(start..start + room) {
             target.copy_from_slice(&source[..room]);
         }

@@ -1,8 +1,6 @@
 //! The colours that a pattern shows when the scene gives it no map (textures spec, section 9.1).
 use raggio_scene::{Color, ColorMap, FractalKind, FractalSettings, PatternKind};
 
-use super::pigment::Flavour;
-
 const BLACK: Color = Color::BLACK;
 const WHITE: Color = Color::WHITE;
 const RED: Color = Color::opaque(1.0, 0.0, 0.0);
@@ -13,7 +11,7 @@ const CYAN: Color = Color::opaque(0.0, 1.0, 1.0);
 const MAGENTA: Color = Color::opaque(1.0, 0.0, 1.0);
 
 /// The map of a pattern that has been given none.
-pub fn colors(kind: &PatternKind, flavour: Flavour) -> ColorMap {
+pub fn colors(kind: &PatternKind) -> ColorMap {
     let list = |colors: &[Color]| colors.iter().enumerate().map(|(i, &c)| (i as f32, c)).collect();
     match kind {
         PatternKind::Checker | PatternKind::Object(_) => list(&[BLUE, GREEN]),
@@ -21,7 +19,6 @@ pub fn colors(kind: &PatternKind, flavour: Flavour) -> ColorMap {
         PatternKind::Hexagon => list(&[BLUE, GREEN, RED]),
         PatternKind::Square => list(&[RED, GREEN, BLUE, YELLOW]),
         PatternKind::Triangular | PatternKind::Cubic => list(&[RED, GREEN, BLUE, YELLOW, CYAN, MAGENTA]),
-        _ if flavour == Flavour::Density => grey(),
         _ => continuous(kind),
     }
 }

@@ -96,9 +96,9 @@ pub fn source(p: &mut Parser) -> Result<Source> {
     }
 }
 
-/// Very old scenes put a vector or a map type before the file's type; it has no meaning any more.
+/// Very old scenes put a map type, a vector or both before the file's type; they have no meaning any more.
 fn old_orientation(p: &mut Parser) -> Result<()> {
-    if matches!(p.peek()?, Tok::Punct('<') | Tok::Number(_)) {
+    while matches!(p.peek()?, Tok::Punct('<') | Tok::Number(_)) {
         let span = p.span();
         p.tuple()?;
         p.comma()?;

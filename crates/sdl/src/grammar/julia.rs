@@ -9,7 +9,7 @@ use crate::parser::{Parser, Result};
 
 /// `julia_fractal { <parameter> items }`
 pub fn julia_fractal(p: &mut Parser) -> Result<Object> {
-    object::shape(p, "julia_fractal", |p| {
+    let object = object::shape(p, "julia_fractal", |p| {
         let span = p.span();
         let mut julia = Julia {
             parameter: vec4(p)?,
@@ -27,7 +27,9 @@ pub fn julia_fractal(p: &mut Parser) -> Result<Object> {
         }
         julia.precision = julia.precision.max(1.0);
         Ok(Shape::Julia(Box::new(julia)))
-    })
+    })?;
+    // POV-Ray takes no notice of `inverse` among a fractal's own modifiers; around it, in `object { }`, it counts.
+    Ok(Object { inverse: false, ..object })
 }
 
 fn item(p: &mut Parser, julia: &mut Julia) -> Result<bool> {

@@ -16,6 +16,8 @@ pub fn modifier(p: &mut Parser, object: &mut Object) -> Result<bool> {
             ObjectKind::Light(light) => Arc::make_mut(light).transform(&t),
             _ => object.transform(&t),
         }
+        // POV-Ray's fractals forget `inverse` when they are moved.
+        object.inverse &= !matches!(&object.kind, ObjectKind::Shape(s) if matches!(**s, Shape::Julia(_)));
         return Ok(true);
     }
     let key = match p.peek()? {

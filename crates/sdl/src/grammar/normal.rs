@@ -94,12 +94,12 @@ impl Draft {
         }
         let Some(kind) = self.pattern.kind.take() else { return Ok(self.on_uv.map(NormalKind::Uv)) };
         let kind = pattern::checked(p, kind)?;
-        if let Some(pattern) = special(&kind, self.bumps) {
-            return Ok(Some(NormalKind::Special { pattern, settings: self.pattern.finish(kind) }));
-        }
         if let Some(map) = self.map {
             let pattern = self.pattern.finish(kind);
             return Ok(Some(NormalKind::Map { pattern, map: Arc::unwrap_or_clone(map) }));
+        }
+        if let Some(pattern) = special(&kind, self.bumps) {
+            return Ok(Some(NormalKind::Special { pattern, settings: self.pattern.finish(kind) }));
         }
         if matches!(kind, PatternKind::Average) {
             let span = p.span();
@@ -110,7 +110,7 @@ impl Draft {
     }
 }
 
-/// The patterns that bend normals by a rule of their own; maps have no meaning for them.
+/// The patterns that bend normals by a rule of their own; slope maps have no meaning for them.
 fn special(kind: &PatternKind, bumps: bool) -> Option<NormalPattern> {
     Some(match *kind {
         PatternKind::Bozo if bumps => NormalPattern::Bumps,

@@ -1,4 +1,4 @@
-//! `pigment { ... }`, and `density { ... }`, which is the same with a grey map by custom.
+//! `pigment { ... }`, and `density { ... }`, which is the same but for a few words.
 use std::sync::Arc;
 
 use raggio_math::Affine;
@@ -13,7 +13,7 @@ use crate::keyword::Kw;
 use crate::parser::{Parser, Result, Tok};
 use crate::value::{Kind, Value};
 
-/// Whether a pigment or a density is being read: they differ in words and in their default map.
+/// Whether a pigment or a density is being read: they differ in words.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Flavour {
     /// `pigment { }`
@@ -53,7 +53,7 @@ impl Draft {
             PigmentKind::ColorMap { pattern, map } => {
                 // Colours that a pattern without a list came with leave when it does.
                 let own = pattern::block_size(&pattern.kind).is_none()
-                    && **map == default_map::colors(&pattern.kind, flavour);
+                    && **map == default_map::colors(&pattern.kind);
                 (pattern.as_ref().into(), if own { Fill::Nothing } else { Fill::Colors(map.clone()) })
             }
             PigmentKind::PigmentMap { pattern, map } => {
@@ -109,7 +109,7 @@ impl Draft {
                 let span = p.span();
                 return p.error("average-without-map", "`average` needs a map of what it averages", span);
             }
-            _ => Arc::new(default_map::colors(&kind, self.flavour)),
+            _ => Arc::new(default_map::colors(&kind)),
         };
         Ok(PigmentKind::ColorMap { pattern: self.pattern.finish(kind), map })
     }
@@ -213,7 +213,7 @@ fn named_pattern(p: &mut Parser, draft: &mut Draft) -> Result<Option<PatternKind
     let Some(kind) = pattern_kind::kind(p, &mut list)? else { return Ok(None) };
     match items {
         Some(Fill::Colors(mut map)) => {
-            let defaults = default_map::colors(&kind, flavour);
+            let defaults = default_map::colors(&kind);
             let missing = map.len()..defaults.len().max(map.len());
             Arc::make_mut(&mut map).extend(&defaults[missing]);
             draft.fill = Fill::Colors(map);
@@ -231,6 +231,10 @@ fn named_pattern(p: &mut Parser, draft: &mut Draft) -> Result<Option<PatternKind
 /// The colours or pigments after a block pattern's name.
 fn list_items(p: &mut Parser, flavour: Flavour, size: usize) -> Result<Option<Fill>> {
     let word = if flavour == Flavour::Pigment { Kw::Pigment } else { Kw::Density };
+    // Here pigments take colours without any of their words: `checker 1, 0`.
+    let at_color = |p: &mut Parser| -> Result<bool> {
+        Ok(at_color(p)? || (flavour == Flavour::Pigment && p.at_expression()?))
+    };
     if at_color(p)? {
         let mut map = ColorMap::new();
         while map.len() < size && at_color(p)? {

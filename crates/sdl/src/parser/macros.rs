@@ -163,6 +163,15 @@ impl Parser<'_> {
         if operator {
             return self.value_from(value).map(Entry::Value);
         }
+        // Where another number's name follows without a comma POV-Ray takes that one's value for both.
+        let is_number = |kind| matches!(kind, Kind::Float | Kind::Vector | Kind::Color);
+        if let Tok::Value(next) = self.peek()?
+            && is_number(kind)
+            && is_number(next)
+            && self.cursor.place.path.is_empty()
+        {
+            return Ok(Entry::Value(self.current_value().clone()));
+        }
         let copied = kind == Kind::Function || !self.scopes.is_alive(place.slot);
         Ok(if copied { Entry::Value(value) } else { Entry::Ref(place) })
     }
