@@ -14,8 +14,12 @@ const WIDTH: usize = 8;
 /// A number for each of them.
 type Lanes = [f32; WIDTH];
 
-/// What rises less over a surface, as a share of the distance from the origin, is taken to lie in it.
+/// What rises less over a surface, as a share of the distance from the origin, is taken to lie in it: boxes are so much
+/// larger than what is in them.
 const LOW: f64 = 3e-7;
+
+/// But not if that is more than this share of its own size.
+const MOST_RISE: f64 = 1e-3;
 
 /// Nothing lies farther away along an axis, and no way along an axis is a smaller part of a ray than one over this.
 const FAR: f32 = 1e16;
@@ -54,7 +58,10 @@ impl Outlook {
     fn around(&self, from: Vec3, up: Vec3, borders: &Borders) -> Around {
         let low = LOW * (1.0 + from.abs().max_element());
         let seen = self.0.iter().map(|b| (b.min - from, b.max - from));
-        let above = seen.filter(|&(lo, hi)| (lo * up).max(hi * up).element_sum() > low);
+        let lies_in = |lo: Vec3, hi: Vec3| {
+            (lo * up).max(hi * up).element_sum() <= low && low <= MOST_RISE * (hi - lo).max_element()
+        };
+        let above = seen.filter(|&(lo, hi)| !lies_in(lo, hi));
         let single = |v: Vec3| v.as_vec3().to_array().map(|x| x.clamp(-FAR, FAR));
         Around {
             boxes: above.map(|(lo, hi)| (single(lo), single(hi))).collect(),
@@ -148,6 +155,19 @@ mod tests {
         children.push(object(Shape::Plane { normal: Vec3::new(0.6, 0.0, 0.8), distance: -2.0 }));
         let all = Object::new(ObjectKind::Csg { op: Csg::Union, children: Arc::new(children) });
         Geometry::of_object(&Arc::new(all)).unwrap()
+    }
+
+    #[test]
+    fn what_rises_little_over_a_far_floor_is_met() {
+        // In the metres of a land survey: 4000 km from the origin, where single precision knows no half metre.
+        let centre = Vec3::new(5e5, 0.0, 4e6);
+        let step =
+            Shape::Box { min: centre - Vec3::new(5.0, 0.0, 5.0), max: centre + Vec3::new(5.0, 1.0, 5.0) };
+        let geometry =
+            Geometry::of_object(&Arc::new(Object::new(ObjectKind::Shape(Arc::new(step))))).unwrap();
+        let (from, dir) = (centre - Vec3::X * 6.0, Vec3::new(1.0, 0.3, 0.0).normalize());
+        assert!(geometry.closest(&Ray::new(from, dir), (MIN_HIT, 1e9), RayClass::Radiosity).is_some());
+        assert_eq!(geometry.open_rays(from, Vec3::Y, &[dir]).unwrap()[0] & 1, 0);
     }
 
     #[test]
