@@ -123,7 +123,8 @@ impl Geometry {
     /// Which rays from a point on a surface surely meet nothing, eight to a byte, the first in the lowest bit. All of them
     /// lead to the side to which `up` points. `None` where nothing can be said.
     pub fn open_rays(&self, from: Vec3, up: Vec3, directions: &[Vec3]) -> Option<Vec<u8>> {
-        let around = &self.outlook.as_ref()?.around(from, up, &self.borders);
+        let outlook = self.outlook.get_or_init(|| Outlook::of(&self.borders.others)).as_ref()?;
+        let around = &outlook.around(from, up, &self.borders);
         let ask = |directions: &[Vec3]| {
             let mut rows = [[1.0; WIDTH]; 3];
             for (i, d) in directions.iter().enumerate() {

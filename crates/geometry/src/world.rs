@@ -1,5 +1,5 @@
 //! A scene's objects, compiled: what rays are shot at.
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use raggio_math::{Aabb, Affine, MAX_DISTANCE, MIN_HIT, Ray, Vec2, Vec3};
 use raggio_scene::{Interior, Light, Object, PhotonFlags, Placed, Scene, Texture};
@@ -210,8 +210,8 @@ pub struct Geometry {
     pub(crate) world: Group,
     /// What of it are planes.
     pub(crate) borders: Borders,
-    /// Where all the rest is, if it has an end.
-    pub(crate) outlook: Option<Outlook>,
+    /// Where all the rest is, if it has an end; found when it is first asked for.
+    pub(crate) outlook: OnceLock<Option<Outlook>>,
     /// All of the world, if it is a few simple leaves: asked without their boxes.
     pub(crate) few: Vec<Member>,
     /// Top-level members that contain points outside their boxes, sorted, with these.
@@ -249,7 +249,7 @@ impl Geometry {
             asks_uv: true,
             tree: Tree { leaves, groups },
             world,
-            outlook: Outlook::of(&borders.others),
+            outlook: OnceLock::new(),
             borders,
             few,
             overreaching,

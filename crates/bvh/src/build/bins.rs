@@ -246,7 +246,7 @@ fn partition(prims: &mut [Prim], cut: &Cut, binning: &Binning) -> (Run, Run) {
     let (first, second) = prims.split_at(start);
     let run = |side: usize, prims: &[Prim]| match cut.sides[side] {
         (bounds, count) if count as usize == prims.len() => {
-            Run { len: prims.len(), leaf: false, bounds, centres: centres[side] }
+            Run { len: prims.len(), bounds, centres: centres[side] }
         }
         // Centres that are not numbers have fallen into no bin that counts.
         _ => Run::of(prims),

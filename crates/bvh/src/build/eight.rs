@@ -42,7 +42,7 @@ impl Builder {
     /// A tree over primitives, none without primitives.
     pub(super) fn build(&self, mut prims: Vec<Prim>) -> Tree<u32> {
         let mut tree = Tree::EMPTY;
-        let all = self.judged(Run::of(&prims));
+        let all = Run::of(&prims);
         if prims.len() >= LARGE {
             self.large(prims, all, &mut tree);
         } else if !prims.is_empty() {
@@ -60,15 +60,14 @@ impl Builder {
         tree.reserve(count / (2 * self.size) + 1, count);
     }
 
-    /// A run of which is known whether it becomes a leaf.
-    fn judged(&self, mut run: Run) -> Run {
-        run.leaf = run.len <= self.size;
-        run
+    /// Does a run become a leaf?
+    fn is_leaf(&self, run: &Run) -> bool {
+        run.len <= self.size
     }
 
     /// The child word for a run: a leaf, or a node built below.
     fn child(&self, prims: &mut [Prim], run: &Run, depth: usize, tree: &mut Tree<u32>) -> u32 {
-        match run.leaf {
+        match self.is_leaf(run) {
             true => leaf(prims, &mut tree.leaves),
             false => self.node(prims, run, depth, tree),
         }
@@ -131,7 +130,7 @@ impl Builder {
             // Of primitives that a ray enters at one place the first is then asked first.
             prims.sort_unstable_by_key(Prim::number);
             for (prim, child) in prims.chunks(1).zip(&mut children) {
-                *child = self.judged(Run::of(prim));
+                *child = Run::of(prim);
             }
             return (children, prims.len());
         }
@@ -139,13 +138,13 @@ impl Builder {
         let mut count = 1;
         while count < WIDTH {
             let area = |i: usize| children[i].bounds.half_area();
-            let inner = (0..count).filter(|&i| !children[i].leaf);
+            let inner = (0..count).filter(|&i| !self.is_leaf(&children[i]));
             let Some(i) = inner.max_by(|&a, &b| area(a).total_cmp(&area(b))) else { break };
             let start: usize = children[..i].iter().map(|child| child.len).sum();
             let own = &mut prims[start..start + children[i].len];
-            let (left, right) = split::<Runs>(own, &children[i], depth < SAH_DEPTH, &mut bins);
+            let halves = split::<Runs>(own, &children[i], depth < SAH_DEPTH, &mut bins);
             children.copy_within(i + 1..count, i + 2);
-            (children[i], children[i + 1]) = (self.judged(left), self.judged(right));
+            (children[i], children[i + 1]) = halves;
             count += 1;
         }
         (children, count)

@@ -93,15 +93,13 @@ impl Prim {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Run {
     pub(super) len: usize,
-    /// May it become a leaf?
-    pub(super) leaf: bool,
     pub(super) bounds: Bounds,
     /// Bounds of twice the centres.
     pub(super) centres: Bounds,
 }
 
 impl Run {
-    const EMPTY: Run = Run { len: 0, leaf: false, bounds: Bounds::EMPTY, centres: Bounds::EMPTY };
+    const EMPTY: Run = Run { len: 0, bounds: Bounds::EMPTY, centres: Bounds::EMPTY };
 
     pub(super) fn of(prims: &[Prim]) -> Run {
         let one = |prims: &[Prim]| {

@@ -116,10 +116,6 @@ impl Tracer<'_> {
         };
         let guesses = self.look_ahead(gather);
         for (i, &dir) in (0..).zip(&gather.directions) {
-            if gather.is_open(i) {
-                sums.add(dir, &self.bare_ray(gather, dir));
-                continue;
-            }
             let foreseen = guesses.as_ref().and_then(|guesses| self.foreseen(guesses, i));
             let brought = foreseen.unwrap_or_else(|| self.gather_ray(gather, i));
             sums.add(dir, &brought);
@@ -147,10 +143,11 @@ impl Tracer<'_> {
     /// Shoots ray number `i`. Rays to objects of little importance only bring their distance.
     pub(super) fn gather_ray(&mut self, gather: &Gather<'_>, i: u32) -> Brought {
         let Gather { rules, point, directions, .. } = gather;
-        let ray = Ray::new(point.surface.p, directions[i as usize]);
+        let dir = directions[i as usize];
         if gather.is_open(i) {
-            return self.bare_ray(gather, ray.dir);
+            return self.bare_ray(gather, dir);
         }
+        let ray = Ray::new(point.surface.p, dir);
         let beam = Beam {
             ray: &ray,
             interiors: &[],
